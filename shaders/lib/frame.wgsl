@@ -58,9 +58,14 @@ fn depth_from_buffer(z: f32) -> f32 {
     return frame.near / z;
 }
 
-// True if a fragment at `z` lies strictly behind a crossing at `crossing`. No other code compares depths.
+// True if a fragment at `z` lies strictly behind a crossing at `crossing`. No other code compares depths, except for the next function.
 fn is_behind(z: f32, crossing: f32) -> bool {
     return z < crossing;
+}
+
+// `is_behind` for four crossings.
+fn are_behind(z: f32, crossings: vec4<f32>) -> vec4<bool> {
+    return vec4<f32>(z) < crossings;
 }
 
 // Index of a pixel in per-pixel buffers.

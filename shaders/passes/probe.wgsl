@@ -1,7 +1,7 @@
 // Writes the mask by sampling each part's volume image (the open module `volume`) at the relevant points: where the part goes from removed
 // to kept, and where the ray begins if the near plane may be inside a solid. One invocation owns a pixel.
 
-#import cutaway::crossings::{head_of, depth_at, listed, surface_at}
+#import cutaway::crossings::{depth_at, head_of, surface_at}
 #import cutaway::cuts::{is_removed, parts}
 #import cutaway::frame::{frame, Ray, centre_of, pixel_index, ray_through}
 #import cutaway::lanes::MOST_LANES
@@ -29,23 +29,22 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let pixel = pixel_index(id.xy);
     let head = head_of(id.xy);
-    let crossings = listed(head.x);
     let ray = ray_through(centre_of(id.xy));
     for (var place = first_place; place < min(end_place, MOST_LANES); place++) {
         let part = parts[place];
         let cuts = part.cuts;
         var bits = 0u;
-        var sides = head.y;
+        var sides = head.sides;
         if near_inside && !is_removed(sides, cuts) && asked(place, pixel, ray, frame.near) {
             toggle_bit(pixel, part.lane_word, part.lane_shift, lane_bits - 1u);
         }
-        for (var i = 0u; i < crossings; i++) {
-            let after = sides ^ (1u << surface_at(i, id.xy));
+        for (var i = 0u; i < head.count; i++) {
+            let after = sides ^ (1u << surface_at(head, i, id.xy));
             if is_removed(sides, cuts) && !is_removed(after, cuts) {
-                bits |= select(0u, 1u << (i % 32u), asked(place, pixel, ray, depth_at(i, id.xy)));
+                bits |= select(0u, 1u << (i % 32u), asked(place, pixel, ray, depth_at(head, i, id.xy)));
             }
             sides = after;
-            if i % 32u == 31u || i + 1u == crossings {
+            if i % 32u == 31u || i + 1u == head.count {
                 toggle(pixel, part.lane_word + i / 32u, bits << part.lane_shift);
                 bits = 0u;
             }

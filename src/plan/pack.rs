@@ -163,6 +163,26 @@ shared! {
 }
 
 shared! {
+    /// Heights over four planes in ray form, a component of each vector for each plane: `shaders/lib/along_ray/rays.wgsl`.
+    RaysOfFour {
+        /// The numbers of `RayRow::origin`.
+        origin: [[f32; 4]; 3],
+        /// The numbers of `RayRow::direction`.
+        direction: [[f32; 4]; 3],
+    }
+}
+
+shared! {
+    /// All clip-surfaces in ray form: `shaders/lib/along_ray/rays.wgsl`.
+    RayTable {
+        /// The clip-surfaces.
+        surfaces: [RaySurface; MAX_SURFACES],
+        /// Heights over the first of them once more.
+        planes: [RaysOfFour; MOST_PLANES / 4],
+    }
+}
+
+shared! {
     /// A quad that becomes a cap grid: `shaders/lib/reliefs/quads.wgsl`.
     Quad {
         /// First corner.
@@ -307,8 +327,27 @@ pub fn cell_limit(surface: &PreparedSurface, reach: f64) -> u32 {
     (cells as u32).saturating_add(4).min(MOST_CELLS)
 }
 
+/// Maximum number of planes whose crossings are recomputed instead of listed: `shaders/lib/along_ray/planes.wgsl`.
+pub const MOST_PLANES: usize = 8;
+
+/// Clip-surfaces in a view's ray form.
+pub fn ray_table<'a>(surfaces: impl Iterator<Item = &'a PreparedSurface>, view: &View) -> RayTable {
+    let mut table = RayTable::zeroed();
+    for (i, surface) in surfaces.enumerate() {
+        let rays = ray_surface(surface, view);
+        table.surfaces[i] = rays;
+        if let Some(four) = table.planes.get_mut(i / 4) {
+            for row in 0..3 {
+                four.origin[row][i % 4] = rays.height.origin[row];
+                four.direction[row][i % 4] = rays.height.direction[row];
+            }
+        }
+    }
+    table
+}
+
 /// A clip-surface in a view's ray form, with the cancellation between eye and plane done in f64.
-pub fn ray_surface(surface: &PreparedSurface, view: &View) -> RaySurface {
+fn ray_surface(surface: &PreparedSurface, view: &View) -> RaySurface {
     let (o0, d0) = view.ray(DVec2::ZERO);
     let (ox, dx) = view.ray(DVec2::X);
     let (oy, dy) = view.ray(DVec2::Y);

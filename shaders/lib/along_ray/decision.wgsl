@@ -12,6 +12,7 @@
 #import cutaway::inside::{in_doubt, is_blank, next_inside, next_starting}
 #import cutaway::lanes::{Lanes, MOST_CROSSINGS, MOST_LANES}
 #import cutaway::layers::{BACKGROUND, CAP, NEAR_PLANE, OVERLAP, UNCOUNTED, UNRELIABLE, WORDS_PER_PIXEL, clip_surface_of, kind_of, layer_word, pack_normal}
+#import cutaway::passed::Head
 
 @group(1) @binding(3) var<storage, read_write> layers: array<u32>;
 
@@ -40,15 +41,16 @@ struct Cap {
     overlap: bool,
 }
 
-// The first cap among the crossings before `limit`. Parts are tested in order, and the first match wins; a second part that shares the cap
-// is searched for only if shared caps are displayed.
-fn first_cap(lanes: Lanes, at: vec2<u32>, limit: u32, start: u32) -> Cap {
-    var sides = start;
+// The first cap among the crossings from `among.x` to before `among.y`. Parts are tested in order, and the first match wins; a second part
+// that shares the cap is searched for only if shared caps are displayed.
+fn first_cap(lanes: Lanes, at: vec2<u32>, among: vec2<u32>, head: Head) -> Cap {
+    var sides = head.sides;
     var cap = Cap(false, 0u, 0u, false);
-    for (var i = 0u; i < min(limit, MOST_CROSSINGS); i++) {
-        let after = sides ^ (1u << surface_at(i, at));
+    for (var i = 0u; i < min(among.y, MOST_CROSSINGS); i++) {
+        let after = sides ^ (1u << surface_at(head, i, at));
         var place = 0u;
-        for (var n = 0u; n < min(lanes.count, MOST_LANES); n++) {
+        let most = select(0u, min(lanes.count, MOST_LANES), i >= among.x);
+        for (var n = 0u; n < most; n++) {
             place = next_inside(lanes, place, at, i);
             if place >= lanes.count {
                 break;
@@ -84,24 +86,24 @@ fn decide(at: vec2<u32>, lanes: Lanes, drawn: Drawn) -> Decision {
         return Decision(word, normal, depth, NONE);
     }
     let head = head_of(at);
-    var limit = cappable(at);
+    var among = cappable(at);
     if kind_of(word) != BACKGROUND {
         // The word holds the surface's position in the list in its clip-surface bits, unless its part was drawn plainly.
         var before = clip_surface_of(word);
         if before == UNCOUNTED {
             before = crossings_before(drawn.z, at).behind;
         }
-        limit = min(limit, before);
+        among.y = min(among.y, before);
         word &= 0xffff00ffu;
     }
 
     var wanted = NONE;
-    let cap = first_cap(lanes, at, limit, head.y);
+    let cap = first_cap(lanes, at, among, head);
     if cap.found {
-        let surface = surface_at(cap.crossing, at);
-        depth = depth_at(cap.crossing, at);
+        let surface = surface_at(head, cap.crossing, at);
+        depth = depth_at(head, cap.crossing, at);
         word = layer_word(CAP, cut_table.surfaces[surface].surface, parts[cap.place].part) | select(0u, OVERLAP, cap.overlap);
-        wanted = word_at(cap.crossing, at);
+        wanted = word_at(head, cap.crossing, at);
     }
 
     var odd = false;
@@ -113,7 +115,7 @@ fn decide(at: vec2<u32>, lanes: Lanes, drawn: Drawn) -> Decision {
             break;
         }
         odd = true;
-        if lanes.near_inside && frame.near_cap != 0u && !is_removed(head.y, parts[place].cuts) {
+        if lanes.near_inside && frame.near_cap != 0u && !is_removed(head.sides, parts[place].cuts) {
             // The first part owns the cap.
             if near_caps == 0u {
                 depth = frame.near;

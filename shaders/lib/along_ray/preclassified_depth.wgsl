@@ -7,7 +7,7 @@
 #define_import_path cutaway::preclassified_depth
 
 #import cutaway::crossing_words::{normal_of, surface_of_word}
-#import cutaway::crossings::{head_of, listed, surface_at, word_at, z_at}
+#import cutaway::crossings::{head_of, surface_at, word_at, z_at}
 #import cutaway::frame::{buffer_from_depth, centre_of, depth_from_buffer, frame, ray_through}
 #import cutaway::preclassified::{beside, of_doubled, preclassified, preclassified_at}
 
@@ -38,17 +38,17 @@ fn reach_of_face(z: f32, at: vec2<u32>, normal: vec3<f32>) -> f32 {
 fn in_cutters(z: f32, at: vec2<u32>, group: u32, front: bool) -> f32 {
     let cutters = preclassified.groups[group].cutters;
     let normal = preclassified.groups[group].normal.xyz;
-    let count = listed(head_of(at).x);
+    let head = head_of(at);
     var crossing = 0.0;
     var nearest = reach_of_face(z, at, normal);
-    for (var i = 0u; i < count; i++) {
-        let word = word_at(i, at);
+    for (var i = 0u; i < head.count; i++) {
+        let word = word_at(head, i, at);
         let is_of_it = ((cutters >> surface_of_word(word)) & 1u) != 0u;
         if is_of_it && abs(dot(normal_of(word), normal)) > SAME_PLANE {
-            let distance = abs(z_at(i, at) - z);
+            let distance = abs(z_at(head, i, at) - z);
             if distance <= nearest {
                 nearest = distance;
-                crossing = z_at(i, at);
+                crossing = z_at(head, i, at);
             }
         }
     }
@@ -62,13 +62,12 @@ fn preclassified_z(found: f32, at: vec2<u32>, group: u32, front: bool) -> f32 {
     let removed = preclassified.groups[group].removed;
     let flush = preclassified.groups[group].flush;
     let head = head_of(at);
-    let count = listed(head.x);
-    var sides = head.y;
+    var sides = head.sides;
     var moved = z;
-    for (var i = 0u; i < count; i++) {
-        let surface = 1u << surface_at(i, at);
+    for (var i = 0u; i < head.count; i++) {
+        let surface = 1u << surface_at(head, i, at);
         if (surfaces & surface) != 0u {
-            let crossing = z_at(i, at);
+            let crossing = z_at(head, i, at);
             let is_before = (sides & surface) == (removed & surface);
             moved = preclassified_at(moved, crossing, is_before, (flush & surface) != 0u);
         }

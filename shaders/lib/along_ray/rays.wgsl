@@ -16,8 +16,16 @@ struct RaySurface {
     texel_y: RayRow,
 }
 
+// The heights over four planes, each of which has a component of every vector: value at pixel (0, 0), change per pixel right and down.
+struct RaysOfFour {
+    origin: array<vec4<f32>, 3>,
+    direction: array<vec4<f32>, 3>,
+}
+
 struct RayTable {
     surfaces: array<RaySurface, 32>,
+    // The heights over the first eight clip-surfaces once more.
+    planes: array<RaysOfFour, 2>,
 }
 
 @group(0) @binding(4) var<uniform> ray_table: RayTable;

@@ -9,7 +9,7 @@
 #import cutaway::cuts::cut_table
 #import cutaway::frame::{depth_from_buffer, is_behind, pixel_count, pixel_index}
 #import cutaway::lanes::MOST_CROSSINGS
-#import cutaway::passed::Before
+#import cutaway::passed::{Before, Head}
 #import cutaway::surfaces::{keeps_words, surface_of}
 
 // Bits 0-9: number of crossings; bit 31: the list overflowed or may be wrong. Second word: the sides where the ray starts.
@@ -18,45 +18,40 @@
 // Word of each crossing (`crossing_words`); not stored if there is only one clip-surface and it carries no normals.
 @group(0) @binding(7) var<storage, read> crossing_surface: array<u32>;
 
-// The two words of the head of a pixel's list.
-fn head_of(at: vec2<u32>) -> vec2<u32> {
-    return crossing_heads[pixel_index(at)];
+fn head_of(at: vec2<u32>) -> Head {
+    let head = crossing_heads[pixel_index(at)];
+    return Head(head.x & MOST_CROSSINGS, head.y, 0u);
 }
 
 // True if a pixel's list overflowed, or may be wrong.
 fn is_cut_short(at: vec2<u32>) -> bool {
-    return (head_of(at).x & 0x80000000u) != 0u;
+    return (crossing_heads[pixel_index(at)].x & 0x80000000u) != 0u;
 }
 
-// The number of crossings in a list, from the first word of its head.
-fn listed(head: u32) -> u32 {
-    return head & MOST_CROSSINGS;
-}
-
-// The number of crossings that may be caps: all crossings in the list.
-fn cappable(at: vec2<u32>) -> u32 {
-    return listed(head_of(at).x);
+// The crossings that may be caps, from the first to before the second: all crossings in the list.
+fn cappable(at: vec2<u32>) -> vec2<u32> {
+    return vec2<u32>(0u, head_of(at).count);
 }
 
 // A crossing's word: its clip-surface and other stored data.
-fn word_at(index: u32, at: vec2<u32>) -> u32 {
+fn word_at(head: Head, index: u32, at: vec2<u32>) -> u32 {
     if !keeps_words() {
         return 0u;
     }
     return crossing_surface[index * pixel_count() + pixel_index(at)];
 }
 
-fn surface_at(index: u32, at: vec2<u32>) -> u32 {
-    return surface_of(word_at(index, at));
+fn surface_at(head: Head, index: u32, at: vec2<u32>) -> u32 {
+    return surface_of(word_at(head, index, at));
 }
 
-fn z_at(index: u32, at: vec2<u32>) -> f32 {
+fn z_at(head: Head, index: u32, at: vec2<u32>) -> f32 {
     return crossing_z[index * pixel_count() + pixel_index(at)];
 }
 
 // Depth of the clip-surface at a crossing.
-fn depth_at(index: u32, at: vec2<u32>) -> f32 {
-    return depth_from_buffer(z_at(index, at));
+fn depth_at(head: Head, index: u32, at: vec2<u32>) -> f32 {
+    return depth_from_buffer(z_at(head, index, at));
 }
 
 // Lists up to this length are searched linearly.
@@ -66,15 +61,15 @@ const SHORT: u32 = 8u;
 // crossing in front must be read anyway. Both searches share a loop: every mesh sample runs this, and even an unentered loop has a cost.
 fn crossings_before(z: f32, at: vec2<u32>) -> Before {
     let head = head_of(at);
-    let count = listed(head.x);
+    let count = head.count;
     let halves = count > SHORT && cut_table.surface_count == 1u;
     let looks = select(count, firstLeadingBit(count) + 1u, halves);
-    var found = Before(0u, head.y);
+    var found = Before(0u, head.sides);
     for (var i = 0u; i < looks; i++) {
         let ahead = found.behind + select(1u, 1u << (looks - 1u - i), halves);
-        if ahead <= count && is_behind(z, z_at(ahead - 1u, at)) {
+        if ahead <= count && is_behind(z, z_at(head, ahead - 1u, at)) {
             // With bisection there is only one clip-surface, and each skipped crossing flips its side.
-            let passed = select(1u << surface_at(ahead - 1u, at), (ahead - found.behind) & 1u, halves);
+            let passed = select(1u << surface_at(head, ahead - 1u, at), (ahead - found.behind) & 1u, halves);
             found.sides ^= passed;
             found.behind = ahead;
         } else if !halves {

@@ -7,16 +7,16 @@
 
 #import cutaway::frame::{centre_of, depth_from_buffer, is_behind}
 #import cutaway::lone_plane::{LonePlane, is_in_box, lone_plane_at}
-#import cutaway::passed::Before
+#import cutaway::passed::{Before, Head}
 #import cutaway::surfaces::surface_of
 
 fn plane_at(at: vec2<u32>) -> LonePlane {
     return lone_plane_at(centre_of(at));
 }
 
-fn head_of(at: vec2<u32>) -> vec2<u32> {
+fn head_of(at: vec2<u32>) -> Head {
     let plane = plane_at(at);
-    return vec2<u32>(select(0u, 1u, plane.z > 0.0), select(0u, 1u, plane.begins_removed));
+    return Head(select(0u, 1u, plane.z > 0.0), select(0u, 1u, plane.begins_removed), 0u);
 }
 
 // A computed crossing never overflows.
@@ -24,29 +24,25 @@ fn is_cut_short(at: vec2<u32>) -> bool {
     return false;
 }
 
-fn listed(head: u32) -> u32 {
-    return head;
+// The crossings that may be caps, from the first to before the second: only those in the box of the cut solids.
+fn cappable(at: vec2<u32>) -> vec2<u32> {
+    return vec2<u32>(0u, select(0u, 1u, is_in_box(plane_at(at), centre_of(at))));
 }
 
-// The number of crossings that may be caps: only those in the box of the cut solids.
-fn cappable(at: vec2<u32>) -> u32 {
-    return select(0u, 1u, is_in_box(plane_at(at), centre_of(at)));
-}
-
-fn word_at(index: u32, at: vec2<u32>) -> u32 {
+fn word_at(head: Head, index: u32, at: vec2<u32>) -> u32 {
     return 0u;
 }
 
-fn surface_at(index: u32, at: vec2<u32>) -> u32 {
-    return surface_of(word_at(index, at));
+fn surface_at(head: Head, index: u32, at: vec2<u32>) -> u32 {
+    return surface_of(word_at(head, index, at));
 }
 
-fn z_at(index: u32, at: vec2<u32>) -> f32 {
+fn z_at(head: Head, index: u32, at: vec2<u32>) -> f32 {
     return plane_at(at).z;
 }
 
-fn depth_at(index: u32, at: vec2<u32>) -> f32 {
-    return depth_from_buffer(z_at(index, at));
+fn depth_at(head: Head, index: u32, at: vec2<u32>) -> f32 {
+    return depth_from_buffer(z_at(head, index, at));
 }
 
 fn crossings_before(z: f32, at: vec2<u32>) -> Before {

@@ -141,7 +141,7 @@ pub(super) fn take_to_screen(
     let mut screen = ScreenMesh::record(plan, scene, of)?;
     // No pass reads pixels before the sweep.
     let by_sweep =
-        input.active_cuts.lanes == 0 || by_slabs || (store.is_some() && input.asks_plane());
+        input.active_cuts.lanes == 0 || by_slabs || (store.is_some() && input.needs_no_list());
     if !by_sweep {
         find_tiles(plan, &screen, touched);
         find_closing_tiles(plan, scene, touched, true);

@@ -11,7 +11,7 @@ use super::lanes::{Lanes, MOST_LANE_WORDS};
 use super::on_screen::OnScreen;
 use super::pose::pose_parts;
 use super::refusal::Refusal;
-use crate::plan::pack::{self, CutTable, MAX_SURFACES, NO_CLOSING, Part};
+use crate::plan::pack::{self, CutTable, NO_CLOSING, Part};
 use crate::plan::{
     Access, Binding, BufferRole, Clock, Contents, Format, Plan, Resource, ResourceId, Vertices,
     Work,
@@ -230,11 +230,9 @@ fn cut_table(input: &Input<'_>) -> Contents {
 }
 
 fn ray_table(input: &Input<'_>) -> Contents {
-    let mut table = [pack::RaySurface::zeroed(); MAX_SURFACES];
-    for (slot, number) in table.iter_mut().zip(&input.active_cuts.surfaces) {
-        *slot = pack::ray_surface(&input.model.prepared.surfaces[*number], input.view);
-    }
-    Contents::from_values(&table)
+    let surfaces = input.active_cuts.surfaces.iter();
+    let surfaces = surfaces.map(|number| &input.model.prepared.surfaces[*number]);
+    Contents::from_values(&[pack::ray_table(surfaces, input.view)])
 }
 
 fn parts(input: &Input<'_>, lanes: &Lanes) -> Contents {

@@ -1,5 +1,5 @@
 //! The crossings of each pixel's ray with the clip-surfaces. A cap surface makes the per-pixel list, and any pass may read it. If the only
-//! clip-surface is a plane, no list is needed: each pass evaluates the plane.
+//! clip-surfaces are up to eight planes, no list is needed: each pass evaluates the planes.
 
 use super::buffers::SceneBuffers;
 use super::input::Input;
@@ -42,7 +42,7 @@ impl Crossings {
         ]
     }
 
-    /// The list as a crossing source, even where passes could evaluate a plane instead.
+    /// The list as a crossing source, even where passes could evaluate planes instead.
     pub(crate) fn asked(&self) -> CrossingSource {
         CrossingSource {
             bindings: self.bindings().into(),
@@ -91,11 +91,15 @@ impl CrossingSource {
         }
     }
 
-    /// The crossings with a plane that is the only clip-surface.
-    pub(crate) fn of_plane(scene: &SceneBuffers<'_>) -> Self {
+    /// The crossings with planes that are the only clip-surfaces.
+    pub(crate) fn of_planes(scene: &SceneBuffers<'_>) -> Self {
+        let (file, surfaces_file) = match scene.input.has_one_surface() {
+            true => ("lib/crossings/plane.wgsl", ONE_SURFACE),
+            false => ("lib/crossings/planes.wgsl", ANY_SURFACES),
+        };
         Self {
-            file: "lib/crossings/plane.wgsl",
-            surfaces_file: ONE_SURFACE,
+            file,
+            surfaces_file,
             bindings: vec![scene.ray_table.clone()],
             capacity: 0,
         }

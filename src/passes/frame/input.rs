@@ -7,7 +7,7 @@ use super::rasteriser::Rasteriser;
 use super::refusal::Refusal;
 use super::relief_walk::ReliefWalk;
 use crate::passes::pack::model::Model;
-use crate::plan::pack::most_box_margin;
+use crate::plan::pack::{MOST_PLANES, most_box_margin};
 use crate::plan::{Capacities, Draw};
 use crate::scene::{Fill, HeightFilter, PreparedPart, View};
 
@@ -61,12 +61,12 @@ impl<'a> Input<'a> {
         Ok(input)
     }
 
-    /// Returns true if passes may intersect rays with the only clip-surface, a plane, so that no list is needed. The GPU's own rasteriser
-    /// needs a list, because only the list pass prepares its pixels for fragments, and hosts clip by lists.
-    pub(crate) fn asks_plane(&self) -> bool {
+    /// Returns true if passes may intersect rays with the clip-surfaces, because these are a few planes, so that no list is needed. The
+    /// GPU's own rasteriser needs a list, because only the list pass prepares its pixels for fragments, and hosts clip by lists.
+    pub(crate) fn needs_no_list(&self) -> bool {
         self.rasteriser == Rasteriser::Compute
             && !self.keeps_list
-            && self.active_cuts.surfaces.len() == 1
+            && (1..=MOST_PLANES).contains(&self.active_cuts.surfaces.len())
             && !self.has_reliefs()
             && !self.has_cutters()
     }

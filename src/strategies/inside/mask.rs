@@ -14,8 +14,8 @@
 //! If one relief is the only clip-surface, the compute rasteriser marks lanes by its slab first, and lists the crossings of those pixels alone
 //! in which they can matter (`mark_by_slabs`).
 //!
-//! If one plane is the only clip-surface, the compute rasteriser needs no list: each sample tests the plane. The results for a cut part do
-//! not depend on which pass tests, because each sample is judged once, and all kept samples lie on one side.
+//! If up to eight planes are the only clip-surfaces, the compute rasteriser needs no list: each sample tests the planes. Each sample is
+//! judged once, so the results do not depend on which pass tests.
 //!
 //! Why the nearest kept fragment is a true boundary although inner shells are fragments too: if the ray were inside the part both before
 //! and after it, it would have entered by a fragment, which would be kept and nearer; or by leaving the removed region, at a cap that is
@@ -107,11 +107,13 @@ pub(super) fn record(
         return Ok(finish(plan, &scene, layered));
     }
     // Planes are never drawn as sheets.
-    let plane = input.asks_plane().then(|| CrossingSource::of_plane(&scene));
+    let planes = input
+        .needs_no_list()
+        .then(|| CrossingSource::of_planes(&scene));
     let to_come = || CrossingSource::to_come(input, capacity);
-    let scene = scene.on_screen_first(plan, &store, &plane.clone().unwrap_or_else(to_come))?;
-    let crossings = match plane {
-        Some(plane) => plane,
+    let scene = scene.on_screen_first(plan, &store, &planes.clone().unwrap_or_else(to_come))?;
+    let crossings = match planes {
+        Some(planes) => planes,
         None => surface::list(plan, &scene, surface, capacity, &store)?.asked(),
     };
     let nearest = over_mesh(plan, &scene, &store, &crossings)?;

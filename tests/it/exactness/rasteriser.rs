@@ -2,7 +2,9 @@
 
 mod agree;
 mod coverage;
+mod full_lists;
 mod long_triangles;
+mod planes;
 mod plans;
 mod print_sizes;
 mod slabs;

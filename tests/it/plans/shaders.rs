@@ -14,7 +14,7 @@ use cutaway::plan::pack::{
     self, Cascade, ClipSurface, Composite, CutTable, Deformer, Domain, DrawnPart, FragmentPool,
     Frame, Layout, MAX_CUTS, MAX_SURFACES, MOST_DEFORMERS, MOST_DRAWN_PARTS,
     MOST_PRECLASSIFIED_GROUPS, NO_RELIEF, Part, PartHatch, Pose, PreclassifiedGroup, Pyramid, Quad,
-    RayRow, RaySurface, Refinement, SheetPool, Sprite, Sweep,
+    RayRow, RaySurface, RayTable, RaysOfFour, Refinement, SheetPool, Sprite, Sweep,
 };
 use cutaway::plan::{Capacities, Work};
 use cutaway::scene::{Camera, ClipSurface as SceneSurface, Cut, Scene, Style, Wrap};
@@ -29,6 +29,11 @@ const NEVER_TOGETHER: &[(&str, &str, &str)] = &[
         "lib/crossings/list.wgsl",
         "lib/touch/tiles.wgsl",
         "where there is a list, a pass before the sweep has found the tiles",
+    ),
+    (
+        "lib/touch/depths.wgsl",
+        "lib/crossings/list.wgsl",
+        "sweeps find depths where rays are walked after them",
     ),
     (
         "lib/share/effect_tiles.wgsl",
@@ -244,6 +249,8 @@ fn shared_structs_are_laid_out_alike() {
         Part,
         RayRow,
         RaySurface,
+        RaysOfFour,
+        RayTable,
         Sprite,
         Quad,
         Sweep,
@@ -283,16 +290,6 @@ fn shared_structs_are_laid_out_alike() {
         .map(|path| fs::read_to_string(path).expect("a file"));
     let declared: usize = texts.map(|text| text.matches("\nshared! {").count()).sum();
     assert_eq!(declared, held, "structs in src/plan/pack.rs and beside it");
-    // The table of rays has no struct in Rust: it is an array of all surfaces.
-    let table = modules
-        .iter()
-        .find_map(|(_, c)| shader::struct_layout(&c.module, "RayTable"));
-    let size = table.expect("a shader with a RayTable").size;
-    assert_eq!(
-        size as usize,
-        MAX_SURFACES * size_of::<RaySurface>(),
-        "RayTable"
-    );
 }
 
 #[test]
@@ -439,6 +436,7 @@ fn constants_have_one_value_on_both_sides() {
         ("FILLED_STACK", pack::FILLED_STACK),
         ("VERTEX_PAINT_WORDS", pack::VERTEX_PAINT_WORDS as u32),
         ("MAX_SURFACES", MAX_SURFACES as u32),
+        ("MOST_PLANES", pack::MOST_PLANES as u32),
         ("WORDS_PER_PIXEL", words_per_pixel),
         (
             "UNCOUNTED",
@@ -559,6 +557,8 @@ fn constants_have_one_value_on_both_sides() {
         ("SAMPLES_OF_GROUP", 256),
         ("MOST_GROUPS", 65_535),
         ("CROSSINGS_OF_A_WORD", Capacities::CROSSINGS_OF_A_WORD),
+        // The order of planes along a ray: known to the shaders alone.
+        ("BITS_OF_PLACE", 4),
         // How the queue of a screen is laid out, and dispatched: known to the shaders alone.
         ("HEAD", 2),
         ("CLIPPED", 1 << 31),

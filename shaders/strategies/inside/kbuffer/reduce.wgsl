@@ -2,7 +2,7 @@
 // crossing behind the last stored depth may have more in front than are known. An invocation owns a pixel.
 
 #import cutaway::cascade::{MOST_SLOTS, cascade, first_word}
-#import cutaway::crossings::{head_of, listed, z_at}
+#import cutaway::crossings::{head_of, z_at}
 #import cutaway::cuts::parts
 #import cutaway::frame::{frame, is_behind, pixel_count, pixel_index}
 #import cutaway::lanes::MOST_LANES
@@ -23,7 +23,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
     }
     let pixel = pixel_index(id.xy);
     clear_words(pixel);
-    let crossings = listed(head_of(id.xy).x);
+    let head = head_of(id.xy);
     for (var place = 0u; place < min(cascade.lanes, MOST_LANES); place++) {
         let first = first_word(place, pixel);
         let count = slots[first];
@@ -35,8 +35,8 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
         }
         var bits = 0u;
         var in_front = 0u;
-        for (var i = 0u; i < crossings; i++) {
-            let crossing = z_at(i, id.xy);
+        for (var i = 0u; i < head.count; i++) {
+            let crossing = z_at(head, i, id.xy);
             for (var k = in_front; k < kept; k++) {
                 if is_behind(bitcast<f32>(slots[first + (k + 1u) * pixel_count()]), crossing) {
                     break;
@@ -48,7 +48,7 @@ fn main(@builtin(global_invocation_id) id: vec3<u32>) {
                 atomicMax(&need[need_at], count);
             }
             bits |= ((count - in_front) & 1u) << (i % 32u);
-            if i % 32u == 31u || i + 1u == crossings {
+            if i % 32u == 31u || i + 1u == head.count {
                 toggle(pixel, lane_word + i / 32u, bits << lane_shift);
                 bits = 0u;
             }

@@ -65,12 +65,14 @@ fn depths_in(first: vec2<u32>, cuts: u32) -> vec2<f32> {
         if any(at >= frame.size_px) {
             continue;
         }
-        var sides = head_of(at).y;
-        let crossings = min(cappable(at), MOST_CROSSINGS);
+        let head = head_of(at);
+        var sides = head.sides;
+        let cappable = cappable(at);
+        let crossings = min(cappable.y, MOST_CROSSINGS);
         for (var i = 0u; i < crossings; i++) {
-            let after = sides ^ (1u << surface_at(i, at));
-            if is_removed(sides, cuts) && !is_removed(after, cuts) {
-                let depth = depth_at(i, at);
+            let after = sides ^ (1u << surface_at(head, i, at));
+            if i >= cappable.x && is_removed(sides, cuts) && !is_removed(after, cuts) {
+                let depth = depth_at(head, i, at);
                 depths = vec2<f32>(min(depths.x, depth), max(depths.y, depth));
             }
             sides = after;

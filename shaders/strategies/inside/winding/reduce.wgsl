@@ -107,19 +107,21 @@ fn reduce(place: u32, at: vec2<u32>, groups: u32) {
     var is_unsure = false;
     if mask[settled_at(length, part.closing, at, false)] == UNSETTLED {
         let expansion = expansion_at(groups, part.closing, at, near_inside, false);
-        var sides = head_of(at).y;
+        let head = head_of(at);
+        var sides = head.sides;
         var counts = 0u;
         var inside = 0u;
-        let crossings = min(cappable(at), MOST_CROSSINGS);
+        let cappable = cappable(at);
+        let crossings = min(cappable.y, MOST_CROSSINGS);
         for (var i = 0u; i < crossings; i++) {
             let word = first + (i / 4u + 1u) * pixel_count();
             if i % 4u == 0u {
                 counts = mask[word];
                 inside = 0u;
             }
-            let after = sides ^ (1u << surface_at(i, at));
-            if is_removed(sides, part.cuts) && !is_removed(after, part.cuts) {
-                let answer = holds(place, closing, count_at(counts, i % 4u), at, depth_at(i, at), expansion);
+            let after = sides ^ (1u << surface_at(head, i, at));
+            if i >= cappable.x && is_removed(sides, part.cuts) && !is_removed(after, part.cuts) {
+                let answer = holds(place, closing, count_at(counts, i % 4u), at, depth_at(head, i, at), expansion);
                 inside |= select(0u, 1u, answer.is_inside) << (8u * (i % 4u));
                 is_unsure |= answer.is_unsure;
             }

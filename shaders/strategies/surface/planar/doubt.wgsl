@@ -3,7 +3,7 @@
 //
 // The mark is set, not flipped, in the plane of words behind the lanes: triangles may share pixels, and so may parts.
 
-#import cutaway::crossings::{head_of, listed, surface_at}
+#import cutaway::crossings::{head_of, surface_at}
 #import cutaway::cuts::{MAX_SURFACES, is_removed, parts}
 #import cutaway::frame::{pixel_count, pixel_index}
 #import cutaway::mask::mask
@@ -27,10 +27,9 @@ fn fragment(corner: Corner) {
     let at = vec2<u32>(corner.position.xy);
     let pixel = pixel_index(at);
     let head = head_of(at);
-    let count = listed(head.x);
-    var sides = head.y;
-    for (var i = 0u; i < count; i++) {
-        let surface = surface_at(i, at);
+    var sides = head.sides;
+    for (var i = 0u; i < head.count; i++) {
+        let surface = surface_at(head, i, at);
         let after = sides ^ (1u << surface);
         if surface == corner.surface {
             // A ray crosses a plane once.

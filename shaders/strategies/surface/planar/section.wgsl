@@ -4,7 +4,7 @@
 // The bit is flipped, not set: triangles that share their corners cover each pixel of their polygon an odd number of times, even if
 // rounding has inverted one of them, and each pixel outside the polygon an even number.
 
-#import cutaway::crossings::{head_of, listed, surface_at}
+#import cutaway::crossings::{head_of, surface_at}
 #import cutaway::cuts::{MAX_SURFACES, parts}
 #import cutaway::frame::{pixel_count, pixel_index}
 #import cutaway::mask::mask
@@ -29,9 +29,9 @@ fn vertex(@location(0) position: vec3<f32>, @builtin(instance_index) instance: u
 fn fragment(corner: Corner) {
     let at = vec2<u32>(corner.position.xy);
     let pixel = pixel_index(at);
-    let count = listed(head_of(at).x);
-    for (var i = 0u; i < count; i++) {
-        if surface_at(i, at) == corner.surface {
+    let head = head_of(at);
+    for (var i = 0u; i < head.count; i++) {
+        if surface_at(head, i, at) == corner.surface {
             // A ray crosses a plane once.
             atomicXor(&mask[corner.lane.x * pixel_count() + pixel], 1u << (corner.lane.y + i));
             return;

@@ -1,15 +1,9 @@
 //! Lanes that are marked by the slab of a relief lead to the same layers as full lists of crossings, in one frame after another.
 
-use cutaway::passes::Model;
-use cutaway::plan::Capacities;
-use cutaway::scene::{Camera, Cut, Scene};
-use cutaway::session::{Outcome, Session};
-use cutaway::strategies::{self, Method};
-use glam::DVec3;
+use cutaway::scene::{Cut, Scene};
 
-use crate::common::{gpu, scenes};
-
-const SIZE_PX: [u32; 2] = [96, 72];
+use super::full_lists::{layers_are_those_of_full_lists, passes};
+use crate::common::scenes;
 
 /// A shape that is cut by a relief alone.
 fn scene_of(shape: &str, section: &str, relief: &str) -> Scene {
@@ -19,32 +13,8 @@ fn scene_of(shape: &str, section: &str, relief: &str) -> Scene {
     scene
 }
 
-fn cameras() -> [Camera; 5] {
-    [
-        scenes::looking(DVec3::new(1.5, -2.0, 3.0), DVec3::ZERO, 40.0),
-        scenes::looking(DVec3::new(-4.0, 3.0, -6.0), DVec3::new(0.8, 0.3, 0.0), 40.0),
-        // Along the plane, and from inside of the slab.
-        scenes::looking(DVec3::new(5.0, 0.3, 0.1), DVec3::ZERO, 30.0),
-        scenes::looking(DVec3::new(0.2, 0.1, 0.05), DVec3::X, 70.0),
-        scenes::parallel(DVec3::new(2.0, 3.0, 4.0), DVec3::ZERO, 3.0),
-    ]
-}
-
-fn method(options: &str) -> Method {
-    let name = format!("raycast+mask@compute{options}");
-    name.parse().unwrap_or_else(|e| panic!("{name}: {e}"))
-}
-
-fn passes(scene: &Scene, options: &str) -> Vec<String> {
-    let model = Model::new(scene);
-    let view = model.prepared.view(SIZE_PX);
-    let plan = strategies::plan(&model, &view, method(options), &Capacities::UNKNOWN);
-    let plan = plan.unwrap_or_else(|e| panic!("{e}"));
-    plan.passes.iter().map(|p| p.name.clone()).collect()
-}
-
 #[test]
-fn layers_are_those_of_full_lists() {
+fn slabs_leave_the_layers_of_full_lists() {
     let scenes = [
         scene_of("torus", "-z=50%", "fractal:size=64,amplitude=8%"),
         scene_of(
@@ -59,40 +29,9 @@ fn layers_are_those_of_full_lists() {
         ),
         scene_of("sponge?level=2", "-x=52%", "fractal:size=256,amplitude=6%"),
     ];
-    let mut differ = 0;
-    for (number, scene) in scenes.iter().enumerate() {
-        let model = Model::new(scene);
-        for options in ["", ",32-bit", ",pyramid"] {
-            let is_listed = |name: &String| name == "settle";
-            assert!(passes(scene, options).iter().any(is_listed), "{number}");
-            let full = format!("{options},list");
-            assert!(!passes(scene, &full).iter().any(is_listed), "the control");
-            // One session each: what a frame leaves must not reach the next.
-            let mut sessions = [Session::new(gpu()), Session::new(gpu())];
-            let mut before = Vec::new();
-            for (turn, camera) in cameras().iter().enumerate() {
-                let view = model.prepared.view_of(camera, SIZE_PX);
-                let layers = |session: &mut Session, options: &str| {
-                    let drawn = session.draw(&model, &view, method(options));
-                    let drawn = drawn.unwrap_or_else(|e| panic!("{number}{options}: {e}"));
-                    assert_eq!(drawn.outcome, Outcome::Complete, "{number}{options}");
-                    let words = session.words(method(options), "layers");
-                    words.unwrap_or_else(|e| panic!("{number}{options}: {e}"))
-                };
-                let [by_slab, by_lists] = &mut sessions;
-                let found = layers(by_slab, options);
-                let expected = layers(by_lists, &full);
-                assert!(found == expected, "scene {number}{options}, view {turn}");
-                differ += usize::from(found != before);
-                before = found;
-            }
-        }
-    }
-    assert_eq!(
-        differ,
-        scenes.len() * 3 * cameras().len(),
-        "the control: views differ"
-    );
+    layers_are_those_of_full_lists(&scenes, &["", ",32-bit", ",pyramid"], |passes| {
+        passes.iter().any(|name| name == "settle")
+    });
 }
 
 #[test]
