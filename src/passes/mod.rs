@@ -29,7 +29,7 @@ pub(crate) use draw::surface::{DrawPass, Surfaces};
 pub(crate) use draw::sweep::SweepPasses;
 pub use frame::active_cuts::{ActiveCuts, PartDrawMode};
 pub(crate) use frame::buffers::{SceneBuffers, or_one};
-pub(crate) use frame::crossings::{CrossingSource, Crossings, LISTED, surfaces_file};
+pub(crate) use frame::crossings::{CrossingSource, Crossings, LISTED, fours_file, surfaces_file};
 pub use frame::dispatch::INVOCATIONS_PER_ROW;
 pub(crate) use frame::dispatch::groups_along;
 pub(crate) use frame::fragments::{FragmentLists, leave_fragments};

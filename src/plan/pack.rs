@@ -4,9 +4,9 @@
 //! naga's layout of the composed shaders. No `vec3`: rows of four.
 
 use bytemuck::{Pod, Zeroable};
-use glam::{DVec2, DVec3, Vec4};
+use glam::{DVec3, Vec4};
 
-use crate::scene::{PreparedSurface, View};
+use crate::scene::PreparedSurface;
 
 mod layout;
 mod normal;
@@ -57,11 +57,13 @@ mod lists;
 mod occlusion;
 mod pose;
 mod pyramid;
+mod rays;
 mod refinement;
 mod sprite;
 mod style;
 
 pub use pose::{BEND, Deformer, INFLATE, MOST_DEFORMERS, Pose, TWIST, WAVE};
+pub use rays::{MOST_PLANES, RayRow, RaySurface, RayTable, RaysOfFour, ray_table};
 pub use refinement::{BORDERS_OF_DOMAIN, Domain, MOST_HALF_BITS, Refinement};
 
 shared! {
@@ -81,7 +83,7 @@ shared! {
         normal: [f32; 4],
         /// Texels per scene unit in u and v, then the height of a texel of value 1.
         scale: [f32; 4],
-        /// Least and greatest height of the relief.
+        /// Least and greatest height of the relief; zeros if it is flat.
         slab: [f32; 2],
         /// First texel in the heights buffer.
         first_texel: u32,
@@ -137,48 +139,6 @@ shared! {
         is_nonzero: u32,
         /// Unused.
         padding: u32,
-    }
-}
-
-shared! {
-    /// A value that is linear in pixel position and depth: `shaders/lib/along_ray/rays.wgsl`.
-    RayRow {
-        /// Value at depth 0 and pixel (0, 0), change per pixel right, change per pixel down.
-        origin: [f32; 4],
-        /// The same three numbers for the change per unit of depth.
-        direction: [f32; 4],
-    }
-}
-
-shared! {
-    /// A clip-surface in ray form: `shaders/lib/along_ray/rays.wgsl`.
-    RaySurface {
-        /// Height over the plane.
-        height: RayRow,
-        /// x texel coordinate.
-        texel_x: RayRow,
-        /// y texel coordinate.
-        texel_y: RayRow,
-    }
-}
-
-shared! {
-    /// Heights over four planes in ray form, a component of each vector for each plane: `shaders/lib/along_ray/rays.wgsl`.
-    RaysOfFour {
-        /// The numbers of `RayRow::origin`.
-        origin: [[f32; 4]; 3],
-        /// The numbers of `RayRow::direction`.
-        direction: [[f32; 4]; 3],
-    }
-}
-
-shared! {
-    /// All clip-surfaces in ray form: `shaders/lib/along_ray/rays.wgsl`.
-    RayTable {
-        /// The clip-surfaces.
-        surfaces: [RaySurface; MAX_SURFACES],
-        /// Heights over the first of them once more.
-        planes: [RaysOfFour; MOST_PLANES / 4],
     }
 }
 
@@ -308,7 +268,7 @@ pub fn clip_surface(
             surface.height_scale as f32,
             0.0,
         ],
-        slab: surface.slab().map(|height| height as f32),
+        slab: slab_over_row(surface).map(|height| height as f32),
         first_texel,
         wrap: surface.wrap.code(),
         map_size: texels,
@@ -327,52 +287,11 @@ pub fn cell_limit(surface: &PreparedSurface, reach: f64) -> u32 {
     (cells as u32).saturating_add(4).min(MOST_CELLS)
 }
 
-/// Maximum number of planes whose crossings are recomputed instead of listed: `shaders/lib/along_ray/planes.wgsl`.
-pub const MOST_PLANES: usize = 8;
-
-/// Clip-surfaces in a view's ray form.
-pub fn ray_table<'a>(surfaces: impl Iterator<Item = &'a PreparedSurface>, view: &View) -> RayTable {
-    let mut table = RayTable::zeroed();
-    for (i, surface) in surfaces.enumerate() {
-        let rays = ray_surface(surface, view);
-        table.surfaces[i] = rays;
-        if let Some(four) = table.planes.get_mut(i / 4) {
-            for row in 0..3 {
-                four.origin[row][i % 4] = rays.height.origin[row];
-                four.direction[row][i % 4] = rays.height.direction[row];
-            }
-        }
-    }
-    table
-}
-
-/// A clip-surface in a view's ray form, with the cancellation between eye and plane done in f64.
-fn ray_surface(surface: &PreparedSurface, view: &View) -> RaySurface {
-    let (o0, d0) = view.ray(DVec2::ZERO);
-    let (ox, dx) = view.ray(DVec2::X);
-    let (oy, dy) = view.ray(DVec2::Y);
-    let linear = |direction: DVec3, factor: f64, offset: f64| {
-        let n = direction * factor;
-        RayRow {
-            origin: [
-                (o0 - surface.origin).dot(n) + offset,
-                (ox - o0).dot(n),
-                (oy - o0).dot(n),
-                0.0,
-            ]
-            .map(|c| c as f32),
-            direction: [d0.dot(n), (dx - d0).dot(n), (dy - d0).dot(n), 0.0].map(|c| c as f32),
-        }
-    };
-    let t = texels_per_unit(surface);
-    RaySurface {
-        height: linear(
-            surface.frame.normal,
-            1.0,
-            surface.flat_height().unwrap_or(0.0),
-        ),
-        texel_x: linear(surface.frame.u_hat, t[0], -0.5),
-        texel_y: linear(surface.frame.v_hat, t[1], -0.5),
+/// Least and greatest height of a relief over the zero of `height_row`, which lies on the surface if that is flat.
+fn slab_over_row(surface: &PreparedSurface) -> [f64; 2] {
+    match surface.flat_height() {
+        Some(_) => [0.0; 2],
+        None => surface.slab(),
     }
 }
 

@@ -33,7 +33,7 @@ pub struct DrawOptions {
     pub sub_pixel_bits: Option<u32>,
     /// How rays walk through reliefs; the crossings are the same. Usually chosen by the number of cells that a ray meets.
     pub relief_walk: Option<ReliefWalk>,
-    /// True if the per-pixel list of crossings is written even for a single plane, which the compute rasteriser could test directly, and
+    /// True if the per-pixel list of crossings is written even for a few planes, which the compute rasteriser could test directly, and
     /// holds all crossings in the box of the cut solids, including those with no triangle nearby. Usually false; [hosts that clip by
     /// it](crate::gpu::clip_wgsl) need it, and with it the masks of all methods are identical word by word.
     pub list: Option<bool>,

@@ -9,7 +9,12 @@
 // Adds the crossing with a plane inside the interval of depths, and the side on which the interval begins. The side follows from the
 // crossing and its direction, never from a second evaluation, so the two cannot disagree.
 fn cross_plane(list: ptr<function, List>, surface: u32, at_px: vec2<f32>, interval: vec2<f32>) {
-    let height = along_ray(ray_table.surfaces[surface].height, at_px);
+    cross_level(list, surface, 0.0, at_px, interval);
+}
+
+// The same for the plane at a height over that of a clip-surface.
+fn cross_level(list: ptr<function, List>, surface: u32, level: f32, at_px: vec2<f32>, interval: vec2<f32>) {
+    let height = along_ray(ray_table.surfaces[surface].height, at_px) - vec2<f32>(level, 0.0);
     let rises = height.y > 0.0;
     var begins_removed = height.x < 0.0;
     if height.y != 0.0 {

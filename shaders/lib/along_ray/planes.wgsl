@@ -1,9 +1,10 @@
-// The crossings of a pixel's ray with up to eight planes, if these are all clip-surfaces of the frame. They are recomputed on each use, four
-// at a time, and nothing is stored. A crossing is numbered by its place along the ray, as in a list (`crossing_list`).
+// The crossings of a pixel's ray with the planes of up to eight clip-surfaces, all there are in the frame. They are recomputed on each use,
+// four at a time, and nothing is stored. A crossing is numbered by its place along the ray, as in a list (`crossing_list`).
 
 #define_import_path cutaway::planes
 
 #import cutaway::cuts::cut_table
+#import cutaway::fours::has_second_four
 #import cutaway::frame::{are_behind, buffer_from_depth, frame}
 #import cutaway::rays::{RaysOfFour, ray_table}
 
@@ -46,7 +47,7 @@ fn four_at(rays: RaysOfFour, at_px: vec2<f32>) -> Four {
 
 fn planes_at(at_px: vec2<f32>) -> Eight {
     let first = four_at(ray_table.planes[0], at_px);
-    if cut_table.surface_count <= 4u {
+    if !has_second_four() {
         return Eight(first, Four(vec4<f32>(0.0), vec4<f32>(0.0), vec4<bool>(false), vec4<bool>(false)));
     }
     return Eight(first, four_at(ray_table.planes[1], at_px));

@@ -16,27 +16,25 @@ struct RaySurface {
     texel_y: RayRow,
 }
 
-// The heights over four planes, each of which has a component of every vector: value at pixel (0, 0), change per pixel right and down.
+// The heights over the planes of four clip-surfaces, each of which has a component of every vector.
 struct RaysOfFour {
+    // Value at pixel (0, 0), change per pixel right and down.
     origin: array<vec4<f32>, 3>,
     direction: array<vec4<f32>, 3>,
+    // The heights above which a point is kept, and below which it is removed, whatever the offset map holds and however the height at the
+    // eye is rounded; and the error of a height per unit of depth.
+    kept_above: vec4<f32>,
+    removed_below: vec4<f32>,
+    rounding: vec4<f32>,
 }
 
 struct RayTable {
     surfaces: array<RaySurface, 32>,
-    // The heights over the first eight clip-surfaces once more.
+    // The heights over the first eight planes once more.
     planes: array<RaysOfFour, 2>,
 }
 
 @group(0) @binding(4) var<uniform> ray_table: RayTable;
-
-// The sums of the magnitudes of what `along_ray` adds up: rounding is a fraction of these.
-fn along_ray_terms(row: RayRow, at_px: vec2<f32>) -> vec2<f32> {
-    return vec2<f32>(
-        abs(row.origin.x) + abs(at_px.x * row.origin.y) + abs(at_px.y * row.origin.z),
-        abs(row.direction.x) + abs(at_px.x * row.direction.y) + abs(at_px.y * row.direction.z),
-    );
-}
 
 // A value along one ray: x + depth * y.
 fn along_ray(row: RayRow, at_px: vec2<f32>) -> vec2<f32> {

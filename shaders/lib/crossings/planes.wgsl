@@ -1,6 +1,6 @@
 // The crossings of a pixel if all clip-surfaces are planes, at most eight. They are recomputed on each use. Nothing is stored or read.
 //
-// Pipelines may round a crossing differently, within the precision of an f32. Each sample is judged once, by the pass that finds it. Later
+// Pipelines may round a crossing differently, within the precision of an f32. The sweeps that judge a sample run the same code. Later
 // passes compare it with crossings again only to find the cap in front of it: at equal depths either answer is right.
 
 #define_import_path cutaway::crossings

@@ -24,7 +24,7 @@ struct List {
     sides: u32,
     // True if crossings may be missing or wrong.
     cut_short: bool,
-    // True if no crossing after the first that enters the kept region is wanted.
+    // True if no crossing with the current clip-surface after the first that enters its kept side is wanted.
     is_first_enough: bool,
 }
 
@@ -44,6 +44,14 @@ fn put(at: u32, z: f32, word: u32) {
     if keeps_words() {
         crossing_surface[at] = word;
     }
+}
+
+// The word of a listed crossing.
+fn word_of(list: ptr<function, List>, index: u32) -> u32 {
+    if !keeps_words() {
+        return 0u;
+    }
+    return crossing_surface[index * pixel_count() + (*list).pixel];
 }
 
 // True if a crossing comes before the listed one.

@@ -1,14 +1,14 @@
-// Decides the pixels in which no crossing can matter, which show their nearest kept surface, and lists all others. Either all lanes are zero:
-// no fragment is within the slab, and the number of fragments behind it is even. Or the surface is in front of the slab, the number of all
-// fragments is even, and none was lost. In core WebGPU the triangle is claimed and added later (`settled.wgsl`). Workgroups share the touched tiles, an invocation owns a pixel of each.
+// Decides the pixels in which no crossing can matter, which show their nearest kept surface, and lists all others. A slab matters if a
+// fragment is within it, or if the number of a part's fragments behind it is odd. Either all lanes are zero: no slab matters. Or the surface
+// is in front of all slabs that do, the number of all fragments is even, and none was lost. In core WebGPU the triangle is claimed and added
+// later (`settled.wgsl`). Workgroups share the touched tiles, an invocation owns a pixel of each.
 
 #import cutaway::frame::{depth_from_buffer, frame, pixel_index}
 #import cutaway::layers::{SURFACE, WORDS_PER_PIXEL, layer_word}
-#import cutaway::lanes::lowest_bits
 #import cutaway::parity::all_bits
 #import cutaway::share::{pixel_at, turns}
-#import cutaway::slab_bits::LOST_FROM_END
-#import cutaway::slab_sides::slab_side
+#import cutaway::slab_bits::slab_bits
+#import cutaway::slabs::slab_sides
 #import cutaway::touched::{TILE_PX, tile_at, tile_count}
 #import cutaway::touched_list::touched
 
@@ -49,18 +49,19 @@ fn list_pixel(xy: vec2<u32>) {
     }
 }
 
-fn is_before_slab(z: f32, xy: vec2<u32>) -> bool {
-    let side = slab_side(z, xy);
-    return !side.is_within && !side.is_behind;
+// True if a fragment is in front of these slabs.
+fn is_before(slabs: u32, z: f32, xy: vec2<u32>) -> bool {
+    let sides = slab_sides(z, xy);
+    return ((sides.within | sides.behind) & slabs) == 0u;
 }
 
 fn settle(xy: vec2<u32>) {
     let pixel = pixel_index(xy);
     let found = nearest[pixel];
-    let bits = all_bits(pixel);
-    let doubts = lowest_bits(lane_bits) * ((1u << (lane_bits - 1u)) | (1u << (lane_bits - LOST_FROM_END)));
-    let is_in_front = found.y != 0u && (bits & doubts) == 0u && is_before_slab(bitcast<f32>(found.y), xy);
-    if bits != 0u && !is_in_front {
+    let word = all_bits(pixel);
+    let bits = slab_bits(word, lane_bits);
+    let is_sure = found.y != 0u && !bits.is_total_odd && !bits.is_lost;
+    if word != 0u && !(is_sure && is_before(bits.odd | bits.within, bitcast<f32>(found.y), xy)) {
         list_pixel(xy);
         return;
     }

@@ -1,16 +1,17 @@
-// Decides the listed samples within the slab, now that the crossings of their pixels are known: each toggles the bits of the crossings in
-// front of it, and may be the nearest kept sample of its pixel (the open module `keeping`). An invocation owns a sample.
+// Decides the listed samples within slabs, now that the crossings of their pixels are known: each toggles the bits of those crossings in
+// front of it that are in its slabs, and may be the nearest kept sample of its pixel (the open module `keeping`). An invocation owns a sample.
 
 #import cutaway::claims::{is_front, triangle_of}
-#import cutaway::crossings::crossings_before
+#import cutaway::crossings::{crossings_before, head_of, surface_at}
 #import cutaway::cuts::is_removed
 #import cutaway::exits::is_passed
 #import cutaway::frame::{pixel_count, pixel_index}
 #import cutaway::keeping::keep_nearest
-#import cutaway::lanes::thermometer
+#import cutaway::lanes::CROSSINGS_OF_A_WORD
 #import cutaway::layers::{BACKGROUND, WORDS_PER_PIXEL, kind_of}
 #import cutaway::sweep::{Sample, drawn_parts}
 #import cutaway::touched::turns_among
+#import cutaway::within_words::{row_of_word, slabs_of_word}
 
 struct WithinList {
     count: u32,
@@ -26,6 +27,16 @@ struct WithinList {
 // False if an earlier pass has marked the samples.
 override marks: bool = true;
 
+// The bits of those of the first `behind` crossings whose clip-surfaces are given.
+fn crossings_in_slabs(at: vec2<u32>, behind: u32, slabs: u32) -> u32 {
+    let head = head_of(at);
+    var bits = 0u;
+    for (var i = 0u; i < min(behind, CROSSINGS_OF_A_WORD); i++) {
+        bits |= ((slabs >> surface_at(head, i, at)) & 1u) << i;
+    }
+    return bits;
+}
+
 fn decide_sample(entry: vec4<u32>) {
     let at = vec2<u32>(entry.x & 0xffffu, entry.x >> 16u);
     let pixel = pixel_index(at);
@@ -33,11 +44,13 @@ fn decide_sample(entry: vec4<u32>) {
         // The pixel is settled: its crossings were not computed.
         return;
     }
-    let part = drawn_parts.parts[entry.w];
-    let sample = Sample(at, bitcast<f32>(entry.y), triangle_of(entry.z), entry.w, part, is_front(entry.z), 0u);
+    let row = row_of_word(entry.w);
+    let part = drawn_parts.parts[row];
+    let sample = Sample(at, bitcast<f32>(entry.y), triangle_of(entry.z), row, part, is_front(entry.z), 0u);
     let before = crossings_before(sample.z, at);
     if marks {
-        atomicXor(&mask[part.lane_word * pixel_count() + pixel], thermometer(before.behind, 0u) << part.lane_shift);
+        let bits = crossings_in_slabs(at, before.behind, slabs_of_word(entry.w));
+        atomicXor(&mask[part.lane_word * pixel_count() + pixel], bits << part.lane_shift);
     }
     if !is_removed(before.sides, part.cuts) && !is_passed(sample.front) {
         keep_nearest(sample);

@@ -316,7 +316,7 @@ pub(crate) fn decide_and_paint(
     let decide = Pass::new(
         "decide",
         "the nearest crossing that is inside a part and enters it is a cap, unless a surface is in front of it",
-        shader.with_all(&inside.files).with_all(&crossings.files()),
+        shader.with_all(&inside.files).with_all(crossings.files()),
         bindings,
         work,
     );

@@ -90,7 +90,7 @@ fn resolve_drawn(
         "the nearest crossing that is inside a part and enters it is a cap, unless a surface is in front of it",
         Shader::from("passes/resolve.wgsl")
             .with_all(&inside.files)
-            .with_all(&crossings.files())
+            .with_all(crossings.files())
             .with(cap_normal),
         bindings,
         Work::over(scene.input.view.size_px),

@@ -1,14 +1,14 @@
-//! Marks lanes by the slab of a relief before crossings are listed, so that rays are walked only in pixels where a crossing can matter.
+//! Marks lanes by the slabs of clip-surfaces before crossings are listed, so that rays are walked only where a crossing can matter.
 //!
-//! A relief lies in a slab: between the planes at its least and its greatest height. A sample outside of the slab is kept or removed by the
-//! side it is on, and lies in front of all crossings or behind all of them. So one sweep leaves for each pixel the parity of the samples
-//! behind the slab, the nearest sample that is kept for certain, and a list of the samples within the slab. A pixel is settled if no sample
-//! is within the slab and all parities are even, or if its nearest sample is in front of the slab. Only in the other pixels are crossings
-//! computed: each begins with the parity of the slab, and the samples within the slab are added. Layers and picture are those of the full
-//! lists, as long as these do not overflow: `docs/algorithm.md` has the proof.
+//! A clip-surface lies in a slab: between the planes at its least and its greatest height. A sample outside of a slab is kept or removed by
+//! the side it is on, and lies in front of all crossings there or behind all of them. So one sweep leaves for each pixel the parity of the
+//! samples behind each slab, the nearest sample that is kept for certain, and a list of the samples within slabs. A pixel is settled if no
+//! sample is within a slab and all parities are even, or if its nearest sample is in front of all other slabs. Only in the other pixels are
+//! crossings computed: each begins with the parity of its slab, and the samples within the slab are added. Layers and picture are those of
+//! the full lists, as long as these do not overflow: `docs/algorithm.md` has the proof.
 //!
-//! Cost: 4 bytes per pixel for the list of pixels, 16 per sample within the slab, for which there are 4 bytes per pixel at first. Only for
-//! one relief that is the only clip-surface. Not for parts with counts, nor for preclassified triangles.
+//! Cost: 4 bytes per pixel for the list of pixels, 16 per sample within a slab, for which there are 4 bytes per pixel at first. Only for up
+//! to eight clip-surfaces, reliefs among them. Not for cutters, parts with counts, or preclassified triangles.
 
 use super::rasterise::{Swept, take_to_screen};
 use super::share::Share;
@@ -16,7 +16,7 @@ use super::solid::NearestKept;
 use super::store::Store;
 use super::sweep::SweepPasses;
 use crate::passes::frame::buffers::SceneBuffers;
-use crate::passes::frame::crossings::{Crossings, surfaces_file};
+use crate::passes::frame::crossings::{Crossings, fours_file};
 use crate::passes::frame::dispatch::GROUP;
 use crate::passes::frame::input::Input;
 use crate::passes::frame::need::{NEED_OF_FRAGMENTS, need};
@@ -24,14 +24,16 @@ use crate::passes::frame::on_screen::OnScreen;
 use crate::passes::frame::rasteriser::Rasteriser;
 use crate::passes::frame::refusal::Refusal;
 use crate::passes::frame::touched::tiles_in;
+use crate::plan::pack::MOST_PLANES;
 use crate::plan::{
     Access, Arguments, Binding, Bounded, Capacities, Capacity, Clock, DISPATCH_ARGUMENT_BYTES,
     Pass, Plan, Resource, ResourceId, Work,
 };
 use crate::shader::Shader;
 
-/// Crossings for which a lane has room for the bits of a slab, besides the bit of the total: `shaders/lib/inside_tests/slab_bits.wgsl`.
-const FEWEST_CROSSINGS: u32 = 3;
+/// Bits of a lane that are not about one slab, besides the bit of the total, and bits about each: `shaders/lib/inside_tests/slab_bits.wgsl`.
+const BITS_OF_ALL_SLABS: u32 = 1;
+const BITS_OF_SLAB: u32 = 2;
 /// Bytes of a listed sample, and before the first: `shaders/lib/lists/within_list.wgsl`.
 const SAMPLE_BYTES: u64 = 16;
 /// Share of the height of the cut parts' box from which a slab is thick.
@@ -90,17 +92,18 @@ fn has_thick_slab(input: &Input<'_>) -> bool {
     })
 }
 
-/// The capacity of lists of crossings, possibly raised so that lanes have room for the bits of the slab; `None` where lanes cannot be marked
-/// by a slab.
+/// The capacity of lists of crossings, possibly raised so that lanes have room for the bits of slabs; `None` where lanes cannot be marked by
+/// slabs.
 pub(crate) fn capacity_for_slabs(input: &Input<'_>, capacity: u32) -> Option<u32> {
-    let capacity = capacity.max(FEWEST_CROSSINGS);
+    let count = input.active_cuts.surfaces.len();
+    let capacity = capacity.max(BITS_OF_ALL_SLABS + BITS_OF_SLAB * count as u32);
     let samples = input.capacities.fragments.unwrap_or(0);
     (input.rasteriser == Rasteriser::Compute
         && !input.keeps_list
         && input.preclassified.is_none()
-        // Several cost more: each sample is compared with each slab.
-        && input.active_cuts.surfaces.len() == 1
+        && count <= MOST_PLANES
         && input.has_reliefs()
+        && !input.has_cutters()
         && !has_thick_slab(input)
         && capacity <= Capacities::CROSSINGS_OF_A_WORD
         && samples <= MOST_SAMPLES)
@@ -127,7 +130,7 @@ pub(crate) fn mark_by_slabs(
     let list = Resource::storage("pixel_list", 4 * words, Clock::Frame);
     let list = plan.add_resource(list);
     plan.bounded.push(Bounded {
-        what: "samples within the slab of a relief".to_owned(),
+        what: "samples within the slabs of reliefs".to_owned(),
         slot: NEED_OF_FRAGMENTS,
         capacity,
         resizes: Some(Capacity::Fragments),
@@ -147,7 +150,7 @@ pub(crate) fn mark_by_slabs(
         mask,
         within,
     };
-    let reason = "each sample marks its lane if it is behind the slab, and is listed if it is within; the nearest that is kept for certain stays";
+    let reason = "each sample marks its lane by the slabs in front of it, and is listed if it is within one; the nearest that is kept for certain stays";
     let sweep = marks.sweep(scene, "mark", reason, false);
     sweep.record(plan, scene, &marks.on_screen.screen);
     marks.settle(plan, scene);
@@ -169,7 +172,7 @@ impl SlabMarks {
                 true => "lib/sample/slabs_fused.wgsl",
                 false => "lib/sample/slabs_raised.wgsl",
             },
-            more_files: vec![surfaces_file(scene.input)],
+            more_files: vec![fours_file(scene.input)],
             store: None,
             crossings: None,
             bindings: vec![
@@ -201,11 +204,11 @@ impl SlabMarks {
         ];
         let pass = Pass::new(
             "settle",
-            "no crossing matters without a sample within the slab and with an even number behind it, or behind a nearer surface; \
+            "no crossing matters without a sample within its slab and with an even number behind it, or behind a nearer surface; \
              the other pixels are listed",
             Shader::from("passes/rasterise/settle.wgsl")
                 .with("lib/share/touched.wgsl")
-                .with(surfaces_file(scene.input)),
+                .with(fours_file(scene.input)),
             bindings,
             self.on_screen.touched.shared(),
         );
@@ -276,9 +279,9 @@ impl SlabMarks {
                 true => "within",
                 false => "claim within",
             },
-            "samples within the slab mark the crossings in front of them, and may be the nearest kept",
+            "samples within slabs mark the crossings there that are in front of them, and may be the nearest kept",
             Shader::from("passes/rasterise/within.wgsl")
-                .with_all(&crossings.files())
+                .with_all(crossings.files())
                 .with(keeping),
             bindings,
             over_listed(self.pixels.groups, 1),

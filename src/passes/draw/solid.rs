@@ -61,7 +61,7 @@ fn draw_solids(
         ),
         shader: Shader::from("passes/solid.wgsl")
             .with(store.file)
-            .with_all(&crossings.files()),
+            .with_all(crossings.files()),
         bindings,
         constants: vec![scene.lanes.constant()],
         vertices,
@@ -77,7 +77,7 @@ fn draw_solids(
                 .to_owned(),
             shader: Shader::from("passes/preclassified.wgsl")
                 .with(store.file)
-                .with_all(&crossings.files()),
+                .with_all(crossings.files()),
             draws: input.draws_of_groups(ranks),
             ..solid.clone()
         };

@@ -76,7 +76,7 @@ impl<'a> SweepPasses<'a> {
             if let Some(crossings) = self.crossings {
                 shader =
                     shader
-                        .with_all(&crossings.files())
+                        .with_all(crossings.files())
                         .with(if screen.preclassified.is_some() {
                             "lib/classifying/groups.wgsl"
                         } else {

@@ -23,7 +23,8 @@ pub(crate) struct Crossings {
 /// File that fills `cutaway::crossings` in a shader, and its dependencies.
 #[derive(Clone, Debug)]
 pub(crate) struct CrossingSource {
-    file: &'static str,
+    /// That file, and those that fill what it imports.
+    files: Vec<&'static str>,
     /// File that fills `cutaway::surfaces`.
     pub(crate) surfaces_file: &'static str,
     /// Bindings of the file.
@@ -59,7 +60,7 @@ impl CrossingSource {
 
     fn of_capacity(capacity: u32, surfaces_file: &'static str) -> Self {
         Self {
-            file: LIST,
+            files: vec![LIST, surfaces_file],
             surfaces_file,
             bindings: Vec::new(),
             capacity,
@@ -76,15 +77,15 @@ impl CrossingSource {
         }
     }
 
-    /// The file that fills `cutaway::crossings`, and the file that it needs.
-    pub(crate) fn files(&self) -> [&'static str; 2] {
-        [self.file, self.surfaces_file]
+    /// The file that fills `cutaway::crossings`, and those that fill what it imports.
+    pub(crate) fn files(&self) -> &[&'static str] {
+        &self.files
     }
 
     /// No crossings: nothing is cut.
     pub(crate) fn none() -> Self {
         Self {
-            file: "lib/crossings/nothing.wgsl",
+            files: vec!["lib/crossings/nothing.wgsl", ONE_SURFACE],
             surfaces_file: ONE_SURFACE,
             bindings: Vec::new(),
             capacity: 0,
@@ -93,12 +94,16 @@ impl CrossingSource {
 
     /// The crossings with planes that are the only clip-surfaces.
     pub(crate) fn of_planes(scene: &SceneBuffers<'_>) -> Self {
-        let (file, surfaces_file) = match scene.input.has_one_surface() {
-            true => ("lib/crossings/plane.wgsl", ONE_SURFACE),
-            false => ("lib/crossings/planes.wgsl", ANY_SURFACES),
+        let surfaces_file = surfaces_file(scene.input);
+        let files = match scene.input.has_one_surface() {
+            true => vec!["lib/crossings/plane.wgsl", surfaces_file],
+            false => {
+                let fours_file = fours_file(scene.input);
+                vec!["lib/crossings/planes.wgsl", surfaces_file, fours_file]
+            }
         };
         Self {
-            file,
+            files,
             surfaces_file,
             bindings: vec![scene.ray_table.clone()],
             capacity: 0,
@@ -111,6 +116,14 @@ pub(crate) fn surfaces_file(input: &Input<'_>) -> &'static str {
     match input.has_one_surface() {
         true => ONE_SURFACE,
         false => ANY_SURFACES,
+    }
+}
+
+/// File that fills `cutaway::fours` where clip-surfaces are evaluated four at a time.
+pub(crate) fn fours_file(input: &Input<'_>) -> &'static str {
+    match input.active_cuts.surfaces.len() > 4 {
+        true => "lib/fours/two.wgsl",
+        false => "lib/fours/one.wgsl",
     }
 }
 

@@ -1,21 +1,21 @@
 //! `mask`: parity without storage.
 //!
-//! The crossings of every pixel are known before the mesh is drawn, except as stated below. One pass over the mesh XORs into the pixel's lane one bit for each
-//! crossing that the fragment lies behind; bit i ends as the parity of the fragments behind crossing i, that is, whether crossing i is
-//! inside the solid. XOR commutes: no order, no sort, no fragment list, no limit on depth complexity. Every fragment toggles the top bit of
-//! a lane, which ends at 0 wherever the mesh is closed. Ancestor: Eisemann & Décoret, *Single-pass GPU solid voxelization* (2008), with
-//! uniform voxels instead of the few relevant depths.
+//! The crossings of every pixel are known before the mesh is drawn, except as stated below. One pass over the mesh XORs into the pixel's
+//! lane one bit for each crossing that the fragment lies behind; bit i ends as the parity of the fragments behind crossing i, that is,
+//! whether crossing i is inside the solid. XOR commutes: no order, no sort, no fragment list, no limit on depth complexity. Every fragment
+//! toggles the top bit of a lane, which ends at 0 wherever the mesh is closed. Ancestor: Eisemann & Décoret, *Single-pass GPU solid
+//! voxelization* (2008), with uniform voxels instead of the few relevant depths.
 //!
 //! A part filled by the nonzero rule has counts instead of bits: a fragment adds 1 or -1, depending on its facing, to one byte for each
 //! crossing that it lies behind, and crossing i is inside where its byte is not 0. One more word holds the sum over all fragments, which is
 //! 0 for a closed mesh, and their number, which shows whether a byte may have overflowed: pixels with more than 254 fragments are marked.
 //! The other parts of the scene keep their bits.
 //!
-//! If one relief is the only clip-surface, the compute rasteriser marks lanes by its slab first, and lists the crossings of those pixels alone
-//! in which they can matter (`mark_by_slabs`).
+//! If there are reliefs among up to eight clip-surfaces, the compute rasteriser marks lanes by their slabs first, and lists the crossings of
+//! those pixels alone in which they can matter (`mark_by_slabs`).
 //!
-//! If up to eight planes are the only clip-surfaces, the compute rasteriser needs no list: each sample tests the planes. Each sample is
-//! judged once, so the results do not depend on which pass tests.
+//! If up to eight planes are the only clip-surfaces, the compute rasteriser needs no list: each sample tests the planes, in sweeps
+//! that run the same code.
 //!
 //! Why the nearest kept fragment is a true boundary although inner shells are fragments too: if the ray were inside the part both before
 //! and after it, it would have entered by a fragment, which would be kept and nearer; or by leaving the removed region, at a cap that is

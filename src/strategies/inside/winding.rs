@@ -102,7 +102,7 @@ pub(super) fn reduce(
         bindings.extend(own);
         bindings.extend(crossings.bindings.iter().cloned());
         bindings.extend(tiles.clone());
-        let shader = Shader::from(file).with(share).with_all(&crossings.files());
+        let shader = Shader::from(file).with(share).with_all(crossings.files());
         let pass = Pass::new(name, about, shader, bindings, work.clone());
         plan.add_pass(pass.with_constants(vec![
             ("lane_count", active_cuts.lanes as f64),

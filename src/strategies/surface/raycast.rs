@@ -7,7 +7,7 @@
 //! box of the cut solids; 8 bytes per pixel and 4 (one clip-surface) or 8 per crossing of capacity.
 //!
 //! With the compute rasteriser, rays through reliefs are followed only between the depths of the cut parts in their picture tile
-//! ([`SceneBuffers::on_screen_first`]); with one relief, only those of listed pixels ([`WalkedPixels::Listed`]).
+//! ([`SceneBuffers::on_screen_first`]); by slabs, only those of listed pixels ([`WalkedPixels::Listed`]).
 //!
 //! Lists have the length of the longest one that a frame needed. Cannot: hold more than 1023 crossings per pixel, or lists of more than 2
 //! GiB in a picture: 512 crossings at 1024 x 768, 64 at 3840 x 2160. A list that overflows keeps the nearest crossings, marks the pixel and
@@ -18,7 +18,7 @@ mod choice;
 use super::cutter;
 use crate::passes::{
     Crossings, Input, NEED_OF_CELLS, NEED_OF_CROSSINGS, PixelList, ReliefWalk, SceneBuffers, Store,
-    need, pixels, pyramids, surfaces_file,
+    fours_file, need, pixels, pyramids, surfaces_file,
 };
 use crate::plan::pack;
 use crate::plan::{
@@ -96,7 +96,7 @@ fn most_that_fit(input: &Input<'_>) -> u32 {
 pub(crate) enum WalkedPixels<'a> {
     /// All, or all in touched tiles if the mesh is on the screen; if it is not, the pass prepares them for the fragments of a store.
     All(&'a Store),
-    /// Those in a list, with one relief; the pass turns the bits of slabs in the mask into bits of crossings.
+    /// Those in a list; the pass turns the bits of slabs in the mask into bits of crossings.
     Listed(PixelList, ResourceId),
 }
 
@@ -140,7 +140,7 @@ pub(crate) fn record(
         (WalkedPixels::Listed(list, mask), _) => {
             bindings.extend([list.binding(), Binding::update("mask", *mask)]);
             constants.push(scene.lanes.constant());
-            (Vec::new(), list.shared())
+            (vec![fours_file(input)], list.shared())
         }
         (WalkedPixels::All(_), Some(on_screen)) => {
             bindings.push(on_screen.touched.binding(Access::Read));

@@ -50,7 +50,7 @@ const MEANT_EQUALITIES: &[(&str, &str)] = &[
          be taken. Any other a or q, however small, is divided by and clamped",
     ),
     (
-        "cross_plane",
+        "cross_level",
         "a ray exactly parallel to the plane has no crossing; any other has one at a depth that the interval judges",
     ),
     (
@@ -549,9 +549,7 @@ fn constants_have_one_value_on_both_sides() {
         ("MOST_TARGETS", 4096),
         ("MOST_JOINTS", 1024),
         ("MOST_DEFORMERS", MOST_DEFORMERS as u32),
-        // The bits of a lane while samples are classed by slabs, and the work of a workgroup over their lists: known to the shaders alone.
-        ("WITHIN_FROM_END", 2),
-        ("LOST_FROM_END", 3),
+        // The work of a workgroup over their lists: known to the shaders alone.
         ("PIXELS_OF_TURN", 256),
         ("PIXELS_OF_GROUP", 1024),
         ("SAMPLES_OF_GROUP", 256),

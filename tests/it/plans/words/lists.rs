@@ -309,15 +309,15 @@ fn a_fragment_is_behind_what_is_strictly_nearer() {
         );
         assert_eq!(wrong, 0, "of {of} with {surface_count} surfaces");
         // With >= in the place of > a fragment lies behind its own depth.
-        let planted = "#import cutaway::crossings::{crossing_heads, surface_at, z_at}
+        let planted = "#import cutaway::crossings::{head_of, surface_at, z_at}
 #import cutaway::passed::Before
 fn crossings_before(z: f32, at: vec2<u32>) -> Before {
-    let head = crossing_heads[at.x];
-    var rank = Before(0u, head.y);
-    for (var i = 0u; i < (head.x & 0xffffu); i++) {
-        if z > z_at(i, at) { break; }
+    let head = head_of(at);
+    var rank = Before(0u, head.sides);
+    for (var i = 0u; i < head.count; i++) {
+        if z > z_at(head, i, at) { break; }
         rank.behind++;
-        rank.sides ^= 1u << surface_at(i, at);
+        rank.sides ^= 1u << surface_at(head, i, at);
     }
     return rank;
 }";
