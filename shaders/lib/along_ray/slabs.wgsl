@@ -80,7 +80,7 @@ fn four_intervals(rays: RaysOfFour, at_px: vec2<f32>) -> FourIntervals {
     let orthographic_reach = select(0.0, abs(frame.near) + abs(frame.far), frame.orthographic != 0u);
     let reach = max(max(abs(up), abs(down)), vec4<f32>(orthographic_reach));
     let slack = 2.0 * reach * rays.rounding / abs(direction);
-    let is_used = rays.rounding > vec4<f32>(0.0);
+    let is_used = rays.kept_above >= rays.removed_below;
     let first = select(min(up, down) - slack, vec4<f32>(-FAR), is_level);
     let last = select(max(up, down) + slack, vec4<f32>(FAR), is_level);
     return FourIntervals(

@@ -64,8 +64,8 @@ shared! {
 pub fn ray_table<'a>(surfaces: impl Iterator<Item = &'a PreparedSurface>, view: &View) -> RayTable {
     let mut table = RayTable::zeroed();
     for four in &mut table.planes {
-        // Where there is no clip-surface, everything is kept.
-        (four.kept_above, four.removed_below) = ([-1.0; 4], [-1.0; 4]);
+        // Where there is no clip-surface, everything is kept, and the order of the two shows that there is no slab.
+        (four.kept_above, four.removed_below) = ([-2.0; 4], [-1.0; 4]);
     }
     for (i, surface) in surfaces.enumerate() {
         let rays = ray_surface(surface, view);
