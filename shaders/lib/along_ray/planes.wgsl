@@ -6,7 +6,7 @@
 #import cutaway::cuts::cut_table
 #import cutaway::fours::has_second_four
 #import cutaway::frame::{are_behind, buffer_from_depth, frame}
-#import cutaway::rays::{RaysOfFour, ray_table}
+#import cutaway::rays::{RaysOfFour, four_along_ray, ray_table}
 
 const MOST_PLANES: u32 = 8u;
 const BITS_OF_PLACE: u32 = 4u;
@@ -28,14 +28,13 @@ struct Eight {
 }
 
 fn four_at(rays: RaysOfFour, at_px: vec2<f32>) -> Four {
-    let origin = rays.origin[0] + at_px.x * rays.origin[1] + at_px.y * rays.origin[2];
-    let direction = rays.direction[0] + at_px.x * rays.direction[1] + at_px.y * rays.direction[2];
-    let rises = direction > vec4<f32>(0.0);
-    let depth = -origin / direction;
-    let is_sloped = abs(direction) > vec4<f32>(0.0);
+    let heights = four_along_ray(rays, at_px);
+    let rises = heights.direction > vec4<f32>(0.0);
+    let depth = -heights.origin / heights.direction;
+    let is_sloped = abs(heights.direction) > vec4<f32>(0.0);
     let is_crossed = is_sloped & (depth > vec4<f32>(frame.near));
     // A plane that is crossed before the ray starts has been left behind.
-    let begins_removed = select(origin < vec4<f32>(0.0), rises == is_crossed, is_sloped);
+    let begins_removed = select(heights.origin < vec4<f32>(0.0), rises == is_crossed, is_sloped);
     let z = vec4<f32>(
         buffer_from_depth(depth.x),
         buffer_from_depth(depth.y),

@@ -36,6 +36,19 @@ struct RayTable {
 
 @group(0) @binding(4) var<uniform> ray_table: RayTable;
 
+// The heights over four planes along one ray: origin + depth * direction.
+struct FourAlongRay {
+    origin: vec4<f32>,
+    direction: vec4<f32>,
+}
+
+fn four_along_ray(rays: RaysOfFour, at_px: vec2<f32>) -> FourAlongRay {
+    return FourAlongRay(
+        rays.origin[0] + at_px.x * rays.origin[1] + at_px.y * rays.origin[2],
+        rays.direction[0] + at_px.x * rays.direction[1] + at_px.y * rays.direction[2],
+    );
+}
+
 // A value along one ray: x + depth * y.
 fn along_ray(row: RayRow, at_px: vec2<f32>) -> vec2<f32> {
     return vec2<f32>(

@@ -9,7 +9,7 @@
 #import cutaway::fours::has_second_four
 #import cutaway::frame::{centre_of, depth_from_buffer, frame}
 #import cutaway::planes::bits_of
-#import cutaway::rays::{RaysOfFour, ray_table}
+#import cutaway::rays::{RaysOfFour, four_along_ray, ray_table}
 
 // One bit for each clip-surface.
 struct SlabSides {
@@ -27,14 +27,13 @@ struct FourSides {
 }
 
 fn four_sides(rays: RaysOfFour, at_px: vec2<f32>, depth: f32, reach: f32) -> FourSides {
-    let origin = rays.origin[0] + at_px.x * rays.origin[1] + at_px.y * rays.origin[2];
-    let direction = rays.direction[0] + at_px.x * rays.direction[1] + at_px.y * rays.direction[2];
-    let height = origin + depth * direction;
+    let heights = four_along_ray(rays, at_px);
+    let height = heights.origin + depth * heights.direction;
     let error = reach * rays.rounding;
     let kept = height > rays.kept_above + error;
     let removed = height < rays.removed_below - error;
     // A height changes in one direction along the ray.
-    return FourSides(!(kept | removed), removed, (kept | removed) & (kept == (direction > vec4<f32>(0.0))));
+    return FourSides(!(kept | removed), removed, (kept | removed) & (kept == (heights.direction > vec4<f32>(0.0))));
 }
 
 // The sides of a fragment at depth-buffer value `z` of the pixel `at`.
@@ -71,22 +70,21 @@ const FAR: f32 = 3.0e38;
 const UNREACHED: f32 = 3.4e38;
 
 fn four_intervals(rays: RaysOfFour, at_px: vec2<f32>) -> FourIntervals {
-    let origin = rays.origin[0] + at_px.x * rays.origin[1] + at_px.y * rays.origin[2];
-    let direction = rays.direction[0] + at_px.x * rays.direction[1] + at_px.y * rays.direction[2];
-    let up = (rays.kept_above - origin) / direction;
-    let down = (rays.removed_below - origin) / direction;
+    let heights = four_along_ray(rays, at_px);
+    let up = (rays.kept_above - heights.origin) / heights.direction;
+    let down = (rays.removed_below - heights.origin) / heights.direction;
     // A ray that keeps its height up to rounding may be in the slab anywhere. Others are in the slab a little before and behind it.
-    let is_level = abs(direction) <= 4.0 * rays.rounding;
+    let is_level = abs(heights.direction) <= 4.0 * rays.rounding;
     let orthographic_reach = select(0.0, abs(frame.near) + abs(frame.far), frame.orthographic != 0u);
     let reach = max(max(abs(up), abs(down)), vec4<f32>(orthographic_reach));
-    let slack = 2.0 * reach * rays.rounding / abs(direction);
+    let slack = 2.0 * reach * rays.rounding / abs(heights.direction);
     let is_used = rays.kept_above >= rays.removed_below;
     let first = select(min(up, down) - slack, vec4<f32>(-FAR), is_level);
     let last = select(max(up, down) + slack, vec4<f32>(FAR), is_level);
     return FourIntervals(
         select(vec4<f32>(UNREACHED), first, is_used),
         select(vec4<f32>(-UNREACHED), last, is_used),
-        direction > vec4<f32>(0.0),
+        heights.direction > vec4<f32>(0.0),
     );
 }
 

@@ -8,8 +8,8 @@ struct WithinList {
     // Number of samples found, listed or not.
     count: atomic<u32>,
     padding: array<u32, 3>,
-    // Pixel (x and y, 16 bits each), bits of the depth-buffer value, code of the triangle, row of the part with
-    // the slabs (`within_words`).
+    // Pixel (x and y, 16 bits each), bits of the depth-buffer value, code of the triangle, row of the part and slabs
+    // (`within_words`).
     samples: array<vec4<u32>>,
 }
 

@@ -549,7 +549,7 @@ fn constants_have_one_value_on_both_sides() {
         ("MOST_TARGETS", 4096),
         ("MOST_JOINTS", 1024),
         ("MOST_DEFORMERS", MOST_DEFORMERS as u32),
-        // The work of a workgroup over their lists: known to the shaders alone.
+        // The work of a workgroup over lists of pixels and samples: known to the shaders alone.
         ("PIXELS_OF_TURN", 256),
         ("PIXELS_OF_GROUP", 1024),
         ("SAMPLES_OF_GROUP", 256),

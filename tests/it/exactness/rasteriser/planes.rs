@@ -1,22 +1,13 @@
 //! Crossings with a few planes are recomputed by each pass, and lead to the same layers as lists of them.
 
-use cutaway::scene::{Cut, Scene};
+use cutaway::scene::Scene;
 
 use super::full_lists::{layers_are_those_of_full_lists, passes};
+use super::slabs::cut;
 use crate::common::scenes;
 
 fn lists_nothing(passes: &[String]) -> bool {
     !passes.iter().any(|name| name == "crossings")
-}
-
-/// A scene whose planes remove what any of them removes.
-fn each_alone(scene: &Scene) -> Scene {
-    let surfaces = scene.cuts[0].surfaces.iter();
-    let cuts = surfaces.map(|s| Cut::new("cut", vec![s.clone()]));
-    Scene {
-        cuts: cuts.collect(),
-        ..scene.clone()
-    }
 }
 
 /// Shapes that are cut by planes; a plane that is there twice crosses rays at equal depths.
@@ -35,20 +26,19 @@ fn scenes() -> Vec<Scene> {
         ),
     ];
     let slices = [
-        scenes::sectioned(
+        cut(
             "crank?throws=2&detail=16",
+            &[],
             &["x=50%", "y=50%", "z=60%", "-x=80%"],
         ),
-        scenes::sectioned(
+        cut(
             "sponge?level=2",
+            &[],
             &["x=30%", "-x=70%", "-x=70%", "x=30%", "z=50%"],
         ),
-        scenes::sectioned("cube", &["x=50%", "x=50%"]),
+        cut("cube", &[], &["x=50%", "x=50%"]),
     ];
-    corners
-        .into_iter()
-        .chain(slices.iter().map(each_alone))
-        .collect()
+    corners.into_iter().chain(slices).collect()
 }
 
 #[test]

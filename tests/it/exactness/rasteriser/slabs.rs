@@ -1,4 +1,4 @@
-//! Lanes that are marked by the slab of a relief lead to the same layers as full lists of crossings, in one frame after another.
+//! Lanes that are marked by slabs lead to the same layers as full lists of crossings, in one frame after another.
 
 use cutaway::scene::{Cut, Scene};
 use image::{GrayImage, Luma};
@@ -12,7 +12,7 @@ const WAVES: &str = "waves:size=32,amplitude=6%";
 const CRACKS: &str = "cracks:size=64,amplitude=8%";
 
 /// A shape with one cut for each list of sections with reliefs, and one for each plane.
-fn cut(shape: &str, cuts: &[&[[&str; 2]]], planes: &[&str]) -> Scene {
+pub(super) fn cut(shape: &str, cuts: &[&[[&str; 2]]], planes: &[&str]) -> Scene {
     let mut scene = scenes::sectioned(shape, planes);
     let planes = std::mem::take(&mut scene.cuts)
         .into_iter()
