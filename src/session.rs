@@ -5,7 +5,7 @@
 //! [`MOST_TRIES`] times; if a buffer still overflows then, the outcome of the frame is an overflow.
 //!
 //! A picture that exceeds the device's limits is drawn in bands of rows, each by a separate program. This affects
-//! only the times.
+//! only the times. Callers that want less memory draw a picture in [strips](Session::strips), one after another by one program.
 
 use std::collections::BTreeMap;
 
@@ -23,12 +23,14 @@ mod encode;
 mod finish;
 mod host;
 mod rows;
+mod strips;
 mod uncut;
 
 use bands::{Band, Slot};
 pub use encode::{Encoded, Overflow};
 pub use finish::StyleChannels;
 use rows::Rows;
+pub use strips::Strip;
 
 /// Maximum number of times that a frame is drawn to make its buffers large enough.
 pub const MOST_TRIES: usize = 4;
@@ -98,6 +100,7 @@ enum Drawing {
 pub struct Session {
     gpu: Gpu,
     is_timed: bool,
+    strip_bytes: u64,
     slots: BTreeMap<Drawing, Slot>,
 }
 
@@ -108,6 +111,7 @@ impl Session {
         Self {
             gpu,
             is_timed: false,
+            strip_bytes: strips::STRIP_BYTES,
             slots: BTreeMap::new(),
         }
     }
@@ -117,6 +121,15 @@ impl Session {
     pub fn timed(self) -> Self {
         Self {
             is_timed: true,
+            ..self
+        }
+    }
+
+    /// Sets the bytes of a frame's buffers above which [`Session::strips`] divides a picture; 192 MiB by default.
+    #[must_use]
+    pub fn with_strip_bytes(self, strip_bytes: u64) -> Self {
+        Self {
+            strip_bytes,
             ..self
         }
     }

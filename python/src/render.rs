@@ -141,11 +141,11 @@ fn draw(session: &mut Session, opened: &OpenedDocument) -> Result<RenderedFrame>
     };
     let (layers, outcome) = match renderer {
         Renderer::Method(method) => {
-            let outcome = session.draw(&at.model, &view, method)?.outcome;
-            if let Outcome::Refused(refusal) = &outcome {
+            let (drawn, layers) = session.draw_layers(&at.model, &view, method)?;
+            if let Outcome::Refused(refusal) = &drawn.outcome {
                 return Err(picture::refused(renderer, refusal));
             }
-            (session.layers(method)?, outcome)
+            (layers, drawn.outcome)
         }
         Renderer::Cpu(evaluator) => {
             let evaluated = evaluator.evaluate(at.truth()?, &view);

@@ -205,11 +205,7 @@ impl Slot {
                 record(&view, capacities)
             })? {
                 Ok(drawn) => {
-                    if all.outcome == Outcome::Complete {
-                        all.outcome = drawn.outcome;
-                    }
-                    all.clocks = all.clocks.union(drawn.clocks);
-                    all.times.add(drawn.times);
+                    all.add(drawn);
                 }
                 Err(stop) => return Ok(Err(stop)),
             }

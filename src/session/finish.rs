@@ -1,5 +1,6 @@
 //! Pictures of external layers, and measurements of a style's effects over them.
 
+use super::strips::MOST_STRIPS_OF_FRAME;
 use super::{Rows, Session};
 use crate::effects;
 use crate::gpu::{ClockSet, CommandEncoder, Destination, Program, Target, words_from_layers};
@@ -9,6 +10,9 @@ use crate::plan::{Capacities, Plan};
 use crate::scene::View;
 use crate::strategies::Refusal;
 use crate::{Error, Result};
+
+/// Bytes per pixel that layers and the effects over them take, about.
+const EFFECT_BYTES: u64 = 128;
 
 /// The effects of a style over layers as numbers per pixel, row by row.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -39,7 +43,8 @@ impl Session {
         let pictures = self.in_bands(model, view, layers, |session, band, view, layers| {
             let words = words_from_layers(layers);
             let program = session.run_once(effects::finish_of(model, view, &words))?;
-            Ok(band.own(&program.picture(&session.gpu)?, width * 4))
+            let picture = program.picture(&session.gpu)?;
+            Ok(band.own(&picture, width * 4).to_vec())
         });
         Ok(pictures?.concat())
     }
@@ -106,7 +111,7 @@ impl Session {
                 }
                 let words = program.words(&session.gpu, name)?;
                 let values: Vec<f32> = words.into_iter().map(f32::from_bits).collect();
-                Ok(band.own(&values, width * in_a_pixel))
+                Ok(band.own(&values, width * in_a_pixel).to_vec())
             };
             let hatched = read(effects::HATCH, 4)?;
             let pixels = || hatched.as_chunks::<4>().0.iter();
@@ -122,7 +127,7 @@ impl Session {
         Ok(all)
     }
 
-    /// Applies a function to bands of layers, with as few bands as the device's limits permit.
+    /// Applies a function to bands of layers, with as few bands as memory and the device's limits permit.
     pub(super) fn in_bands<T>(
         &self,
         model: &Model,
@@ -130,9 +135,16 @@ impl Session {
         layers: &Layers,
         mut finish: impl FnMut(&Self, &Rows, &View, &Layers) -> Result<T>,
     ) -> Result<Vec<T>> {
-        let rows = layers.size_px[1];
+        let [width, rows] = layers.size_px;
         let halo = effects::halo_rows(model, view);
-        let mut bands = 1;
+        let most_bytes = self.strip_bytes.saturating_mul(MOST_STRIPS_OF_FRAME);
+        let most_rows = most_bytes / (EFFECT_BYTES * u64::from(width.max(1)));
+        let own_rows = (u32::try_from(most_rows).unwrap_or(u32::MAX)).saturating_sub(2 * halo);
+        let own_rows = own_rows.max(halo).max(Capacities::FEWEST_ROWS);
+        let mut bands = match u64::from(rows) <= most_rows {
+            true => 1,
+            false => rows.div_ceil(own_rows),
+        };
         loop {
             let all = Rows::bands(rows, bands, halo).map(|band| {
                 let (first, count) = band.drawn();

@@ -2,9 +2,9 @@
 
 use cutaway::Model;
 use cutaway::gpu::Gpu;
-use cutaway::layers::{Kind, Layers};
 use cutaway::passes::Rasteriser;
 use cutaway::scene::{Fill, Scene, Topology, empty_picture, misses};
+use cutaway_lab::compare::FrameCounts;
 use cutaway_lab::experiment::Renderer;
 
 use super::console::Console;
@@ -18,11 +18,6 @@ pub(super) fn adapter_in_words(gpu: &Gpu) -> String {
         None => "sub-pixel bits unknown".to_owned(),
     };
     format!("adapter: {}, {}, {bits}", report.name, report.driver)
-}
-
-/// Number of pixels that the strategy marks because their ray crossings are inconsistent or a buffer was too small.
-pub(super) fn unreliable_px(layers: &Layers) -> usize {
-    layers.pixels.iter().filter(|p| p.unreliable).count()
 }
 
 /// Strategies that mark no pixel of a closed mesh. If one does, it is a fault of the program or of the driver.
@@ -55,15 +50,14 @@ fn note_open_parts(count_px: usize, open: &str, console: &Console) {
     }
 }
 
-/// Warns of pixels that may be wrong because the mesh is open along their rays. With a closed mesh, such pixels are a fault of the program
+/// Warns of `count` pixels that may be wrong because the mesh is open along their rays. With a closed mesh, such pixels are a fault of the program
 /// or of the driver, and the frame has failed.
 pub(super) fn warn_of_doubt(
-    may_be_wrong: &[bool],
+    count: usize,
     renderer: Renderer,
     (scene, model): (&Scene, &Model),
     console: &Console,
 ) -> Verdict {
-    let count = may_be_wrong.iter().filter(|w| **w).count();
     if let Some(open) = renderer.open_parts_in_words(model) {
         note_open_parts(count, &open, console);
         return Verdict::Done;
@@ -95,13 +89,13 @@ pub(super) fn warn_of_doubt(
 }
 
 /// Warns of a picture that is empty or has no caps: nearly always the camera or the kept side is wrong.
-pub(super) fn note_what_is_not_seen(layers: &Layers, scene: &Scene, console: &Console) {
+pub(super) fn note_what_is_not_seen(counts: &FrameCounts, scene: &Scene, console: &Console) {
     let mut enabled = scene.cuts.iter().filter(|c| c.enabled);
     if misses(scene).next().is_some() {
         // A cut that misses the model is already reported.
-    } else if layers.count(Kind::Background) == layers.pixels.len() {
+    } else if counts.background == counts.total() {
         console.print(&empty_picture(scene));
-    } else if enabled.next().is_some() && layers.count(Kind::Cap) == 0 {
+    } else if enabled.next().is_some() && counts.cap == 0 {
         console.note(
             "no cap is seen in this picture: the cut misses the solid, or is seen from behind (see \
              --camera-azimuth-angle and --flip)",

@@ -22,6 +22,7 @@ mod pyramids;
 mod rules;
 mod session;
 mod stencil;
+mod strips;
 
 const SIZE: [u32; 2] = [320, 200];
 

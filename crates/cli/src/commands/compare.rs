@@ -236,7 +236,7 @@ fn add_pictures(
     let mut write = |name: &str, bytes| results.add(&Output::File(folder.join(name)), bytes);
     let view = subject.view(&shown.model.prepared);
     let truth = session.shade(&shown.model, &view, &judgement.exact.layers)?;
-    let exact = picture::plain(&truth, view.size_px);
+    let exact = picture::plain(truth, view.size_px);
     write("exact.png", picture::png(&exact)?)?;
     write("legend.png", picture::png(&legend_picture())?)?;
     write("legend.txt", legend_text().into_bytes())?;
@@ -245,7 +245,7 @@ fn add_pictures(
             continue;
         };
         let stem = file_stem(&frame.renderer);
-        let drawn = picture::plain(&judgement.picture(session, frame)?, view.size_px);
+        let drawn = picture::plain(judgement.picture(session, frame)?, view.size_px);
         write(&format!("{stem}.png"), picture::png(&drawn)?)?;
         write(&format!("{stem}.heatmap.png"), picture::png(&heatmap)?)?;
     }

@@ -5,13 +5,13 @@ use std::time::Duration;
 
 use clap::Args;
 use cutaway::gpu::Preparation;
-use cutaway::layers::{Kind, Layers};
+use cutaway::layers::Layers;
 use cutaway::passes::Model;
 use cutaway::plan::Clock;
 use cutaway::scene::View;
 use cutaway::session::{Outcome, Session};
 use cutaway::{Error, Result};
-use cutaway_lab::compare::may_be_wrong;
+use cutaway_lab::compare::{FrameCounts, may_be_wrong};
 use cutaway_lab::experiment::{PerClock, Renderer, SceneAtTime, Stopwatch, picture};
 use serde_json::{Value, json};
 
@@ -21,7 +21,7 @@ use crate::input::args::{AdapterArgs, DrawOptionArgs, SceneArgs};
 use crate::input::look::{Defaults, LookArgs};
 use crate::input::subject::SceneInput;
 use crate::input::when::TimeArgs;
-use crate::notes::{adapter_in_words, note_what_is_not_seen, unreliable_px, warn_of_doubt};
+use crate::notes::{adapter_in_words, note_what_is_not_seen, warn_of_doubt};
 use crate::renderer_request::RendererChoice;
 use crate::verdict::Verdict;
 use crate::writing::layers_file;
@@ -106,48 +106,52 @@ pub(crate) fn run(args: &RenderArgs) -> Result<Verdict> {
     let chosen = renderer_request.classify(Some(session.gpu()), (&shown.model, &view), &console);
     let renderer = chosen.renderer;
     console.step(renderer.to_string());
-    let facts = PlainFrame::of(&mut session, &shown, &view, renderer, &outputs)?;
+    let has_shadow = shown.model.prepared.style.shadow.is_drawn();
+    let wanted = Wanted {
+        // Without supersampling, the picture is the frame that is checked.
+        picture: subject.supersample() == 1 && !has_shadow,
+        layers: outputs.layers.is_some(),
+        counts: outputs.json.is_some(),
+    };
+    let mut frame = PlainFrame::of(&mut session, &shown, &view, renderer, wanted)?;
     let mut verdict = Verdict::Done;
-    if let Some(layers) = &facts.layers {
+    if let Some(counts) = &frame.counts {
         // Pixels dropped by a full buffer are reported below; they do not mean that the mesh is defective.
-        if facts.outcome == Outcome::Complete {
+        if frame.outcome == Outcome::Complete {
             let drawn = (&subject.scene, &shown.model);
-            verdict = warn_of_doubt(&facts.may_be_wrong, renderer, drawn, &console);
+            verdict = warn_of_doubt(counts.may_be_wrong, renderer, drawn, &console);
         }
-        note_what_is_not_seen(layers, &subject.scene, &console);
+        note_what_is_not_seen(counts, &subject.scene, &console);
     }
     if let Renderer::Method(_) = renderer {
         console.detail(in_words(&session.gpu().preparation()));
     }
     console.step("picture");
-    let has_shadow = shown.model.prepared.style.shadow.is_drawn();
-    let drawn = match renderer {
-        // Without supersampling, the picture is the frame that was checked.
-        Renderer::Method(method) if subject.supersample() == 1 && !has_shadow => {
-            picture::plain(&session.picture(method)?, view.size_px)
-        }
-        _ => picture::draw(&mut session, &shown, &view, renderer, subject.supersample())?.image,
+    let drawn = match frame.picture.take() {
+        Some(rgba) => picture::plain(rgba, view.size_px),
+        None => picture::draw(&mut session, &shown, &view, renderer, subject.supersample())?.image,
     };
 
     console.step("writing");
     let mut results = Results::default();
     results.add(&outputs.picture, picture::png(&drawn)?)?;
-    if let (Some(output), Some(layers)) = (&outputs.layers, &facts.layers) {
+    if let (Some(output), Some(layers)) = (&outputs.layers, &frame.layers) {
         let drawn = session.style_channels(&shown.model, &view, layers)?;
+        let doubted = may_be_wrong(layers, &shown.model.prepared, &view);
         let about = layers_file::LayersSource {
             scene: &subject.scene,
             prepared: &shown.model.prepared,
             view: &view,
-            may_be_wrong: &facts.may_be_wrong,
+            may_be_wrong: &doubted,
             drawn: &drawn,
         };
         results.add(output, layers_file::exr(layers, &about)?)?;
     }
     if let Some(output) = &outputs.json {
-        let json = facts.json(&subject, &session, &shown.model, &chosen);
+        let json = frame.json(&subject, &session, &shown.model, &chosen);
         results.add(output, format!("{json:#}\n").into_bytes())?;
     }
-    if let Outcome::Overflowed(reason) = &facts.outcome {
+    if let Outcome::Overflowed(reason) = &frame.outcome {
         console.failed(format!("{renderer} drew an incomplete picture: {reason}"));
         verdict = Verdict::Failed;
     }
@@ -215,20 +219,26 @@ impl Outputs {
             paths,
         })
     }
+}
 
-    fn want_facts(&self) -> bool {
-        self.json.is_some() || self.layers.is_some()
-    }
+/// What is wanted of the frame without supersampling.
+#[derive(Clone, Copy)]
+struct Wanted {
+    picture: bool,
+    layers: bool,
+    counts: bool,
 }
 
 /// Data of the frame without supersampling.
 struct PlainFrame {
     outcome: Outcome,
-    /// `None` unless the requested data needs a second, exact evaluation.
+    /// Always there after a method. After an evaluator on the CPU only if wanted, because that takes a second evaluation.
+    counts: Option<FrameCounts>,
     layers: Option<Layers>,
-    /// For each pixel, true if its layers may be wrong.
-    may_be_wrong: Vec<bool>,
+    /// RGBA8.
+    picture: Option<Vec<u8>>,
     times: Value,
+    /// Most bytes that a strip produced.
     bytes: PerClock<u64>,
 }
 
@@ -238,43 +248,77 @@ impl PlainFrame {
         shown: &SceneAtTime,
         view: &View,
         renderer: Renderer,
-        outputs: &Outputs,
+        wanted: Wanted,
     ) -> Result<Self> {
-        let mut facts = match renderer {
+        match renderer {
             Renderer::Cpu(evaluator) => {
                 let watch = Stopwatch::start();
                 let truth = shown.truth()?;
-                let evaluated = (outputs.want_facts()).then(|| evaluator.evaluate(truth, view));
+                let layers = (wanted.layers || wanted.counts)
+                    .then(|| evaluator.evaluate(truth, view).layers);
                 let times = [(renderer.to_string(), watch.ms().into())];
-                Self {
+                let counts = layers.as_ref().map(|layers| {
+                    let mut counts = FrameCounts::default();
+                    counts.add(layers, truth, view, 0);
+                    counts
+                });
+                Ok(Self {
                     outcome: Outcome::Complete,
-                    layers: evaluated.map(|e| e.layers),
-                    may_be_wrong: Vec::new(),
+                    counts,
+                    layers,
+                    picture: None,
                     times: Value::Object(times.into_iter().collect()),
                     bytes: PerClock::default(),
-                }
+                })
             }
             Renderer::Method(method) => {
-                let drawn = session.draw(&shown.model, view, method)?;
+                let prepared = &shown.model.prepared;
+                let mut counts = FrameCounts::default();
+                let mut bytes = [0; 3];
+                let (mut pixels, mut picture) = (Vec::new(), Vec::new());
+                let mut note = |session: &Session, layers: Layers, row| {
+                    counts.add(&layers, prepared, view, row);
+                    if wanted.layers {
+                        pixels.extend(layers.pixels);
+                    }
+                    for (most, bytes) in bytes.iter_mut().zip(session.bytes(method)?) {
+                        *most = bytes.max(*most);
+                    }
+                    Ok(())
+                };
+                // Pictures of layers that are shaded later are not made here.
+                let is_shaded = session.strips(&shown.model, view, method).is_none();
+                let drawn = if is_shaded {
+                    let (drawn, layers) = session.draw_layers(&shown.model, view, method)?;
+                    if !matches!(drawn.outcome, Outcome::Refused(_)) {
+                        note(session, layers, 0)?;
+                    }
+                    drawn
+                } else {
+                    session.draw_strips(&shown.model, view, method, |session, strip| {
+                        if wanted.picture {
+                            picture.extend_from_slice(strip.own(&session.picture(method)?, 4));
+                        }
+                        let layers = strip.own_layers(&session.layers(method)?);
+                        note(session, layers, strip.rows()[0])
+                    })?
+                };
                 if let Outcome::Refused(refusal) = &drawn.outcome {
                     return Err(picture::refused(renderer, refusal));
                 }
-                let bytes = session.bytes(method)?;
-                Self {
-                    bytes: PerClock::from_fn(|clock| bytes[clock as usize]),
+                let size_px = view.size_px;
+                Ok(Self {
+                    outcome: drawn.outcome,
+                    counts: Some(counts),
+                    layers: wanted.layers.then_some(Layers { size_px, pixels }),
+                    picture: (wanted.picture && !is_shaded).then_some(picture),
                     times: json!(PerClock::from_fn(
                         |clock: Clock| drawn.times.clocks_ms[clock as usize]
                     )),
-                    layers: Some(session.layers(method)?),
-                    may_be_wrong: Vec::new(),
-                    outcome: drawn.outcome,
-                }
+                    bytes: PerClock::from_fn(|clock| bytes[clock as usize]),
+                })
             }
-        };
-        if let Some(layers) = &facts.layers {
-            facts.may_be_wrong = may_be_wrong(layers, &shown.model.prepared, view);
         }
-        Ok(facts)
     }
 
     fn json(
@@ -285,7 +329,7 @@ impl PlainFrame {
         chosen: &RendererChoice,
     ) -> Value {
         let options = chosen.renderer.options();
-        let count = |kind| self.layers.as_ref().map(|l| l.count(kind));
+        let count = |of: fn(&FrameCounts) -> usize| self.counts.as_ref().map(of);
         json!({
             "scene": subject.scene.name,
             "triangles": model.prepared.triangle_count(),
@@ -299,12 +343,12 @@ impl PlainFrame {
             "height_filter": options.height_filter.unwrap_or_default().to_string(),
             "outcome": self.outcome.name(),
             "reason": self.outcome.reason(),
-            "cap_px": count(Kind::Cap),
-            "surface_px": count(Kind::Surface),
-            "background_px": count(Kind::Background),
-            "overlap_px": self.layers.as_ref().map(Layers::overlap_px),
-            "odd_parity_px": self.layers.as_ref().map_or(0, unreliable_px),
-            "may_be_wrong_px": self.may_be_wrong.iter().filter(|w| **w).count(),
+            "cap_px": count(|c| c.cap),
+            "surface_px": count(|c| c.surface),
+            "background_px": count(|c| c.background),
+            "overlap_px": count(|c| c.overlap),
+            "odd_parity_px": count(|c| c.unreliable).unwrap_or(0),
+            "may_be_wrong_px": count(|c| c.may_be_wrong).unwrap_or(0),
             "bytes": self.bytes,
             "time_ms": self.times,
         })

@@ -25,9 +25,11 @@
 //! sampling is ambiguous, two answers with very different depths may both be right.
 
 mod doubt;
+mod frame_counts;
 mod heatmap;
 
 pub use doubt::may_be_wrong;
+pub use frame_counts::FrameCounts;
 pub use heatmap::{Class, LegendEntry, heatmap, heatmap_overlay, legend};
 
 use cutaway::layers::{Kind, Layer, Layers};

@@ -2,13 +2,15 @@
 //!
 //! Supersampling draws the picture N x N times, each time with another sample position within the pixels, and averages in
 //! linear light, as mixing sRGB values would darken every edge. It takes N² times as long as one frame, but needs no larger frame
-//! on the device. It does not affect measurements: layers and times are always those of the plain resolution.
+//! on the device. It does not affect measurements: layers and times are always those of the plain resolution. Large pictures are drawn in
+//! strips of rows, or shaded from layers that are ([`Session::strips`]).
 
 use std::io::Cursor;
 
+use cutaway::layers::Layers;
 use cutaway::passes::{GroundShadow, Model};
 use cutaway::scene::{View, linear_from_srgb, srgb_from_linear};
-use cutaway::session::{Drawn, Outcome, Session};
+use cutaway::session::{Drawn, Outcome, Session, Strip};
 use cutaway::strategies::{Refusal, Strategy, Unsupported};
 use cutaway::{Error, Result};
 use glam::Vec3;
@@ -25,7 +27,10 @@ pub struct Picture {
     pub frames: Vec<Drawn>,
 }
 
-/// Draws a picture.
+/// Gets layers strip by strip, each with the number of its first row.
+pub type LayersNote<'a> = &'a mut dyn FnMut(&Layers, u32);
+
+/// Draws a picture, strip by strip if it is large.
 pub fn draw(
     session: &mut Session,
     shown: &SceneAtTime,
@@ -33,30 +38,74 @@ pub fn draw(
     renderer: Renderer,
     supersample: u32,
 ) -> Result<Picture> {
-    let n = supersample;
+    draw_noting(session, shown, view, renderer, supersample, None)
+}
+
+/// Draws a picture. `note` gets the layers of the last sample.
+pub fn draw_noting(
+    session: &mut Session,
+    shown: &SceneAtTime,
+    view: &View,
+    renderer: Renderer,
+    supersample: u32,
+    mut note: Option<LayersNote<'_>>,
+) -> Result<Picture> {
     let grounded = on_ground(session, shown, renderer)?;
     let model = grounded.as_ref().unwrap_or(&shown.model);
-    let mut samples = PictureSamples::new(view.size_px, n);
-    let mut frames = Vec::new();
-    for (at, view) in view.samples(n) {
-        let rgba = match renderer {
-            Renderer::Cpu(evaluator) => {
-                let layers = evaluator.evaluate(shown.truth()?, &view).layers;
-                session.shade(model, &view, &layers)?
-            }
-            Renderer::Method(method) => {
-                let drawn = session.draw(model, &view, method)?;
+    let strips = match renderer {
+        Renderer::Cpu(_) => None,
+        Renderer::Method(method) => session.strips(model, view, method),
+    };
+    // Layers that are not drawn in strips with their picture are those of the whole picture, and are shaded.
+    let is_shaded = strips.is_none();
+    let [width, height] = view.size_px;
+    let mut rgba = Vec::with_capacity(width as usize * height as usize * 4);
+    let mut frames: Vec<Drawn> = Vec::new();
+    for strip in strips.unwrap_or_else(|| vec![Strip::whole(view)]) {
+        let mut samples = PictureSamples::new([width, strip.rows()[1]], supersample);
+        let mut last = None;
+        for (number, (at, view)) in strip.view.samples(supersample).enumerate() {
+            let (drawn, layers) = match renderer {
+                Renderer::Cpu(evaluator) => {
+                    (None, Some(evaluator.evaluate(shown.truth()?, &view).layers))
+                }
+                Renderer::Method(method) if is_shaded => {
+                    let (drawn, layers) = session.draw_layers(model, &view, method)?;
+                    (Some(drawn), Some(layers))
+                }
+                Renderer::Method(method) => (Some(session.draw(model, &view, method)?), None),
+            };
+            if let Some(drawn) = drawn {
                 if let Outcome::Refused(refusal) = &drawn.outcome {
                     return Err(refused(renderer, refusal));
                 }
-                frames.push(drawn);
-                session.picture(method)?
+                match frames.get_mut(number) {
+                    Some(frame) => frame.add(drawn),
+                    None => frames.push(drawn),
+                }
             }
-        };
-        samples.add(at, &rgba);
+            match (&layers, renderer) {
+                (Some(layers), _) => samples.add(at, &session.shade(model, &view, layers)?),
+                (None, Renderer::Method(method)) => {
+                    samples.add(at, strip.own(&session.picture(method)?, 4));
+                }
+                (None, Renderer::Cpu(_)) => {}
+            }
+            last = layers;
+        }
+        if let Some(note) = &mut note {
+            let layers = match (last, renderer) {
+                (None, Renderer::Method(method)) => strip.own_layers(&session.layers(method)?),
+                (layers, _) => layers.unwrap_or_else(|| Layers::background([width, 0])),
+            };
+            note(&layers, strip.rows()[0]);
+        }
+        rgba.extend(filtered(samples));
     }
-    let image = filtered(&samples);
-    Ok(Picture { image, frames })
+    Ok(Picture {
+        image: image_of(rgba, view.size_px),
+        frames,
+    })
 }
 
 /// The model with its shadow on the ground, if the style has one.
@@ -146,16 +195,26 @@ pub fn png(picture: &RgbaImage) -> Result<Vec<u8>> {
 }
 
 /// Makes a picture from RGBA8 data as a session returns it.
-pub fn plain(rgba: &[u8], size_px: [u32; 2]) -> RgbaImage {
-    let mut samples = PictureSamples::new(size_px, 1);
-    samples.add([0, 0], rgba);
-    filtered(&samples)
+pub fn plain(mut rgba: Vec<u8>, size_px: [u32; 2]) -> RgbaImage {
+    clear_transparent(&mut rgba);
+    image_of(rgba, size_px)
 }
 
-fn filtered(samples: &PictureSamples) -> RgbaImage {
-    let PictureSamples { size_px, n, .. } = *samples;
+/// An image of RGBA8 data that fits its size.
+fn image_of(rgba: Vec<u8>, [width, height]: [u32; 2]) -> RgbaImage {
+    RgbaImage::from_raw(width, height, rgba).unwrap_or_default()
+}
+
+/// The picture that samples average to: RGBA8.
+fn filtered(samples: PictureSamples) -> Vec<u8> {
+    let PictureSamples {
+        size_px,
+        n,
+        mut rgba,
+    } = samples;
     if n == 1 {
-        return of_one(samples);
+        clear_transparent(&mut rgba);
+        return rgba;
     }
     let [width, height] = size_px.map(|s| s / n);
     let linear: Vec<f32> = (0..=255_u8)
@@ -168,9 +227,9 @@ fn filtered(samples: &PictureSamples) -> RgbaImage {
             let (mut sum, mut cover) = (Vec3::ZERO, 0.0_f32);
             for (i, j) in (0..n).flat_map(|j| (0..n).map(move |i| (i, j))) {
                 let (fx, fy) = (x as u32 * n + i, y as u32 * n + j);
-                let at = (fy * size_px[0] + fx) as usize * 4;
-                let own = |c: usize| linear[usize::from(samples.rgba[at + c])];
-                let share = f32::from(samples.rgba[at + 3]) / 255.0;
+                let at = (fy as usize * size_px[0] as usize + fx as usize) * 4;
+                let own = |c: usize| linear[usize::from(rgba[at + c])];
+                let share = f32::from(rgba[at + 3]) / 255.0;
                 sum += Vec3::new(own(0), own(1), own(2)) * share;
                 cover += share;
             }
@@ -183,16 +242,13 @@ fn filtered(samples: &PictureSamples) -> RgbaImage {
             pixel[3] = byte(cover / (n * n) as f32);
         }
     });
-    RgbaImage::from_raw(width, height, out).unwrap_or_default()
+    out
 }
 
-/// A picture with one sample per pixel.
-fn of_one(samples: &PictureSamples) -> RgbaImage {
-    let [width, height] = samples.size_px;
-    let mut rgba = samples.rgba.clone();
+/// Makes all pixels without cover equal.
+fn clear_transparent(rgba: &mut [u8]) {
     let pixels = rgba.as_chunks_mut::<4>().0.iter_mut();
     pixels.filter(|p| p[3] == 0).for_each(|p| *p = [0; 4]);
-    RgbaImage::from_raw(width, height, rgba).unwrap_or_default()
 }
 
 #[cfg(test)]
@@ -200,12 +256,12 @@ mod tests {
     use super::*;
 
     /// A picture of one pixel from 2 x 2 samples.
-    fn of_four(rgba: [[u8; 4]; 4]) -> RgbaImage {
+    fn of_four(rgba: [[u8; 4]; 4]) -> Vec<u8> {
         let mut samples = PictureSamples::new([1, 1], 2);
         for (at, color) in [[0, 0], [1, 0], [0, 1], [1, 1]].into_iter().zip(rgba) {
             samples.add(at, &color);
         }
-        filtered(&samples)
+        filtered(samples)
     }
 
     #[test]
@@ -222,7 +278,7 @@ mod tests {
     #[test]
     fn without_supersampling_nothing_changes() {
         let rgba: Vec<u8> = (0..=255).flat_map(|v| [v, 255 - v, v / 2, 255]).collect();
-        let picture = plain(&rgba, [16, 16]);
+        let picture = plain(rgba.clone(), [16, 16]);
         assert_eq!(
             picture.into_raw(),
             rgba,
@@ -234,20 +290,16 @@ mod tests {
     fn black_and_white_mix_in_linear_light() {
         let (black, white) = ([0, 0, 0, 255], [255, 255, 255, 255]);
         let picture = of_four([black, white, white, black]);
-        assert_eq!(picture.get_pixel(0, 0).0, [188, 188, 188, 255], "not 128");
+        assert_eq!(picture, [188, 188, 188, 255], "not 128");
     }
 
     #[test]
     fn what_covers_nothing_has_no_say_in_the_colour() {
         let (model, nothing) = ([200, 100, 50, 255], [9, 9, 9, 0]);
         let clear = of_four([model, nothing, nothing, nothing]);
-        assert_eq!(
-            clear.get_pixel(0, 0).0,
-            [200, 100, 50, 64],
-            "a quarter is covered"
-        );
+        assert_eq!(clear, [200, 100, 50, 64], "a quarter is covered");
         let half = [200, 100, 50, 128];
         let soft = of_four([model, half, nothing, nothing]);
-        assert_eq!(soft.get_pixel(0, 0).0, [200, 100, 50, 96], "three eighths");
+        assert_eq!(soft, [200, 100, 50, 96], "three eighths");
     }
 }

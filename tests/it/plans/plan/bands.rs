@@ -42,7 +42,7 @@ fn draw(session: &mut Session, method: impl Into<Method>) -> Drawn {
     drawn.unwrap_or_else(|e| panic!("{e}"))
 }
 
-fn classes(layers: &Layers) -> Vec<(Kind, u16, u8, bool)> {
+pub(super) fn classes(layers: &Layers) -> Vec<(Kind, u16, u8, bool)> {
     let pixels = layers.pixels.iter();
     pixels
         .map(|p| (p.kind, p.part, p.clip_surface, p.back_face))

@@ -3,11 +3,13 @@
 use std::ops::Range;
 
 use cutaway::Result;
+use cutaway::layers::Layers;
 use cutaway::scene::numbers::round;
 use cutaway::scene::{Breakaway, BreakawayView, Cut, Scene};
 use cutaway::session::{Outcome, Session};
-use cutaway_lab::compare::may_be_wrong;
-use cutaway_lab::experiment::{Renderer, SceneAtTime, Stopwatch, picture};
+use cutaway_lab::compare::FrameCounts;
+use cutaway_lab::experiment::picture::{self, LayersNote};
+use cutaway_lab::experiment::{Renderer, SceneAtTime, Stopwatch};
 use serde_json::{Value, json};
 
 use super::AnimateArgs;
@@ -49,6 +51,7 @@ impl Film<'_> {
     ) -> Result<(image::RgbaImage, FrameReport)> {
         let watch = Stopwatch::start();
         let (subject, time_s) = (self.subject, self.times.at(frame));
+        let is_first = frame == self.own.start;
         // The first frame's scene is already open; whatever does not move is reused.
         if frame > 0 && subject.timeline.moves() {
             self.scene = subject.timeline.at(time_s)?;
@@ -80,17 +83,20 @@ impl Film<'_> {
         let prepared = &self.shown.model.prepared;
         let view = prepared.view_of(&camera, subject.size_px());
         let fineness = subject.supersample();
-        let drawn = picture::draw(session, &self.shown, &view, self.chosen.renderer, fineness)?;
+        let (shown, renderer) = (&self.shown, self.chosen.renderer);
+        let mut counts = FrameCounts::default();
+        let mut count = |layers: &Layers, row| counts.add(layers, prepared, &view, row);
+        let note: Option<LayersNote<'_>> = match renderer {
+            Renderer::Method(_) if is_first => Some(&mut count),
+            _ => None,
+        };
+        let drawn = picture::draw_noting(session, shown, &view, renderer, fineness, note)?;
         let report = FrameReport::of(time_s, &drawn.frames, watch.ms());
-        if let (true, Renderer::Method(method), Outcome::Complete) = (
-            frame == self.own.start,
-            self.chosen.renderer,
-            &report.outcome,
-        ) {
-            let layers = session.layers(method)?;
-            let doubted = may_be_wrong(&layers, &self.shown.model.prepared, &view);
+        if let (true, Renderer::Method(_), Outcome::Complete) =
+            (is_first, renderer, &report.outcome)
+        {
             let drawn = (&self.scene, &self.shown.model);
-            let verdict = warn_of_doubt(&doubted, self.chosen.renderer, drawn, console);
+            let verdict = warn_of_doubt(counts.may_be_wrong, renderer, drawn, console);
             self.has_failed |= matches!(verdict, Verdict::Failed);
         }
         Ok((drawn.image, report))
