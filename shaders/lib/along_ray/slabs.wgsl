@@ -113,6 +113,11 @@ fn slabs_between(slabs: SlabIntervals, depths: vec2<f32>) -> u32 {
     );
 }
 
+// Bits of the clip-surfaces whose slabs the ray has left before a depth.
+fn slabs_before(slabs: SlabIntervals, depth: f32) -> u32 {
+    return bits_of(slabs.first.last < vec4<f32>(depth), slabs.last.last < vec4<f32>(depth));
+}
+
 // Bits of the clip-surfaces over whose planes the ray rises.
 fn rising(slabs: SlabIntervals) -> u32 {
     return bits_of(slabs.first.rises, slabs.last.rises);

@@ -17,8 +17,8 @@ mod choice;
 
 use super::cutter;
 use crate::passes::{
-    Crossings, Input, NEED_OF_CELLS, NEED_OF_CROSSINGS, PixelList, ReliefWalk, SceneBuffers, Store,
-    fours_file, need, pixels, pyramids, surfaces_file,
+    ActiveCuts, Crossings, Input, NEED_OF_CELLS, NEED_OF_CROSSINGS, PixelList, ReliefWalk,
+    SceneBuffers, Store, fours_file, need, pixels, pyramids, surfaces_file,
 };
 use crate::plan::pack;
 use crate::plan::{
@@ -92,6 +92,20 @@ fn most_that_fit(input: &Input<'_>) -> u32 {
     most.clamp(fewest, u64::from(Capacities::MOST_CROSSINGS)) as u32
 }
 
+/// Bits of the cuts that reach every cut part; 0 if the parts have different cuts.
+fn common_cuts(active_cuts: &ActiveCuts) -> u32 {
+    let mut cuts = active_cuts
+        .cut_parts()
+        .iter()
+        .map(|r| active_cuts.cuts_of(*r));
+    let first = cuts.next().unwrap_or(0);
+    if cuts.all(|of_part| of_part == first) {
+        first
+    } else {
+        0
+    }
+}
+
 /// The pixels whose crossings are listed.
 pub(crate) enum WalkedPixels<'a> {
     /// All, or all in touched tiles if the mesh is on the screen; if it is not, the pass prepares them for the fragments of a store.
@@ -140,6 +154,7 @@ pub(crate) fn record(
         (WalkedPixels::Listed(list, mask), _) => {
             bindings.extend([list.binding(), Binding::update("mask", *mask)]);
             constants.push(scene.lanes.constant());
+            constants.push(("cuts", f64::from(common_cuts(active_cuts))));
             (vec![fours_file(input)], list.shared())
         }
         (WalkedPixels::All(_), Some(on_screen)) => {

@@ -1,12 +1,14 @@
 // One invocation owns the list of crossings of one pixel in which they can matter, if lanes were marked by slabs. Rays are followed between
 // the depths of the cut parts in their picture tile. Lanes that were marked by slabs become lanes of crossings.
 //
-// A crossing matters if its surface's slab holds a fragment of the pixel, or has an odd number of fragments of a part behind it. Other
-// surfaces are walked only where their slabs meet the depths at which crossings matter: elsewhere one crossing anywhere in the slab will do.
+// A crossing can matter if its surface's slab holds a fragment of the pixel, or has an odd number of fragments of a part behind it. Where no
+// other slab meets that one along the ray, and all cut parts have the same cuts, it does not matter if the cuts remove both sides or keep
+// both; or if the ray leaves what is kept there, and no fragment is within; or behind a cap that is certain. Surfaces are walked if their
+// crossings matter, and where their slabs meet those that do: elsewhere one crossing anywhere in the slab will do.
 
 #import cutaway::asked::Interval
 #import cutaway::crossing_list::{List, add, begin_list, finish}
-#import cutaway::cuts::{NO_RELIEF, cut_table}
+#import cutaway::cuts::{NO_RELIEF, cut_table, is_removed}
 #import cutaway::frame::{buffer_from_depth, centre_of, frame, pixel_index}
 #import cutaway::interval_in_tile::interval_in_tile
 #import cutaway::pixel_list::{reach_at, share_of_list, turns_of_list}
@@ -14,7 +16,7 @@
 #import cutaway::relief_crossing::cross_relief
 #import cutaway::slab_bits::{SlabBits, slab_count}
 #import cutaway::slab_spread::{slab_bits_of, spread}
-#import cutaway::slabs::{UNREACHED, SlabIntervals, interval_of, rising, slab_intervals, slabs_between}
+#import cutaway::slabs::{UNREACHED, SlabIntervals, interval_of, rising, slab_intervals, slabs_before, slabs_between}
 #import cutaway::surfaces::surface_of
 
 override capacity: u32 = 8u;
@@ -22,19 +24,33 @@ override lane_bits: u32 = 32u;
 // The near plane may be inside a solid.
 override near_inside: bool = false;
 
-// The depths between which crossings matter.
-fn mattering(slabs: SlabIntervals, bits: SlabBits) -> vec2<f32> {
-    let surfaces = bits.odd | bits.within;
+// The cuts of every cut part; 0 if they differ.
+override cuts: u32 = 0u;
+
+// Bits of the clip-surfaces that are walked.
+fn walked_surfaces(slabs: SlabIntervals, bits: SlabBits) -> u32 {
     // The side on which the ray starts matters for the cap of the near plane.
-    var depths = select(vec2<f32>(UNREACHED, -UNREACHED), vec2<f32>(frame.near), near_inside);
+    var walked = select(0u, slabs_between(slabs, vec2<f32>(frame.near)), near_inside);
+    var end = UNREACHED;
+    let rises = rising(slabs);
     let count = slab_count();
     for (var s = 0u; s < count; s++) {
+        let bit = 1u << s;
         let slab = interval_of(slabs, s);
-        if ((surfaces >> s) & 1u) != 0u {
-            depths = vec2<f32>(min(depths.x, slab.x), max(depths.y, slab.y));
+        let met = slabs_between(slabs, slab);
+        var matters = ((bits.odd | bits.within) & bit) != 0u;
+        if cuts != 0u && met == bit {
+            let passed = slabs_before(slabs, slab.x);
+            let others = ((rises & ~passed) | (passed & ~rises)) & ~bit;
+            let is_entered = (rises & bit) != 0u;
+            let changes = is_removed(others | bit, cuts) != is_removed(others, cuts);
+            matters &= changes && (is_entered || (bits.within & bit) != 0u);
+            let is_cap = changes && is_entered && (bits.odd & ~bits.within & bit) != 0u && !bits.is_lost;
+            end = select(end, min(end, slab.y), is_cap);
         }
+        walked |= select(0u, met, matters);
     }
-    return depths;
+    return walked & slabs_between(slabs, vec2<f32>(-UNREACHED, end));
 }
 
 // Adds the crossings with a relief. A walk that may end early adds one where the ray leaves the slab, if the ray would else end on the wrong
@@ -57,7 +73,7 @@ fn cross(xy: vec2<u32>) {
     let interval = interval_in_tile(xy, reach_at(xy), near_inside);
     if interval.part.x < interval.part.y {
         let slabs = slab_intervals(xy);
-        let walked = slabs_between(slabs, mattering(slabs, bits));
+        let walked = walked_surfaces(slabs, bits);
         // Backwards: among crossings at one depth the last is the cap's, and among coplanar clip-surfaces the first has the cap.
         for (var left = slab_count(); left > 0u; left--) {
             let s = surface_of(left - 1u);
