@@ -141,10 +141,8 @@ fn draw(session: &mut Session, opened: &OpenedDocument) -> Result<RenderedFrame>
     };
     let (layers, outcome) = match renderer {
         Renderer::Method(method) => {
-            let (drawn, layers) = session.draw_layers(&at.model, &view, method)?;
-            if let Outcome::Refused(refusal) = &drawn.outcome {
-                return Err(picture::refused(renderer, refusal));
-            }
+            let drawn = session.draw_layers(&at.model, &view, method)?;
+            let (drawn, layers) = drawn.map_err(|r| picture::refused(renderer, &r))?;
             (layers, drawn.outcome)
         }
         Renderer::Cpu(evaluator) => {

@@ -56,14 +56,20 @@ impl Session {
         view: &View,
         layers: &Layers,
     ) -> Result<Vec<u8>> {
-        let sent = self.in_bands(model, view, layers, |session, band, view, layers| {
-            let gpu = &session.gpu;
-            let mut encoder = gpu.device().create_command_encoder(&Default::default());
-            let program = session.finished(&mut encoder, model, view, layers)?;
-            let sent = program.send_picture(gpu, &mut encoder)?;
-            gpu.queue().submit([encoder.finish()]);
-            Ok((*band, sent))
-        })?;
+        let sent = self.in_bands(
+            model,
+            view,
+            layers,
+            self.most_bytes(),
+            |session, band, view, layers| {
+                let gpu = &session.gpu;
+                let mut encoder = gpu.device().create_command_encoder(&Default::default());
+                let program = session.finished(&mut encoder, model, view, layers)?;
+                let sent = program.send_picture(gpu, &mut encoder)?;
+                gpu.queue().submit([encoder.finish()]);
+                Ok((*band, sent))
+            },
+        )?;
         let mut picture = Vec::new();
         for (band, sent) in sent {
             let drawn = sent.picture(&self.gpu).await?;

@@ -40,12 +40,18 @@ impl Session {
     /// Makes a picture from external layers, with the passes that make a strategy's picture; in bands if it exceeds the device's limits.
     pub fn shade(&mut self, model: &Model, view: &View, layers: &Layers) -> Result<Vec<u8>> {
         let width = layers.size_px[0] as usize;
-        let pictures = self.in_bands(model, view, layers, |session, band, view, layers| {
-            let words = words_from_layers(layers);
-            let program = session.run_once(effects::finish_of(model, view, &words))?;
-            let picture = program.picture(&session.gpu)?;
-            Ok(band.own(&picture, width * 4).to_vec())
-        });
+        let pictures = self.in_bands(
+            model,
+            view,
+            layers,
+            self.most_bytes(),
+            |session, band, view, layers| {
+                let words = words_from_layers(layers);
+                let program = session.run_once(effects::finish_of(model, view, &words))?;
+                let picture = program.picture(&session.gpu)?;
+                Ok(band.own(&picture, width * 4).to_vec())
+            },
+        );
         Ok(pictures?.concat())
     }
 
@@ -67,14 +73,21 @@ impl Session {
         target.must_hold(view.size_px)?;
         let (width, scale) = (view.size_px[0], model.prepared.scale);
         self.gpu.scoped(|| {
-            self.in_bands(model, view, layers, |session, band, view, layers| {
-                let gpu = &session.gpu;
-                let program = session.finished(encoder, model, view, layers)?;
-                let rows = (band.drawn(), (band.first, band.count));
-                let mut compositor = program.compositor(gpu, &target)?;
-                compositor.encode(gpu, encoder, &target, rows, width, scale);
-                Ok(())
-            })
+            // The bands of a host's frame stay until it is submitted: more of them take more memory.
+            self.in_bands(
+                model,
+                view,
+                layers,
+                u64::MAX,
+                |session, band, view, layers| {
+                    let gpu = &session.gpu;
+                    let program = session.finished(encoder, model, view, layers)?;
+                    let rows = (band.drawn(), (band.first, band.count));
+                    let mut compositor = program.compositor(gpu, &target)?;
+                    compositor.encode(gpu, encoder, &target, rows, width, scale);
+                    Ok(())
+                },
+            )
         })?;
         Ok(())
     }
@@ -102,42 +115,53 @@ impl Session {
         layers: &Layers,
     ) -> Result<StyleChannels> {
         let width = layers.size_px[0] as usize;
-        let bands = self.in_bands(model, view, layers, |session, band, view, layers| {
-            let words = words_from_layers(layers);
-            let program = session.run_once(effects::channels_of(model, view, &words))?;
-            let read = |name: &str, in_a_pixel: usize| -> Result<Vec<f32>> {
-                if program.plan().resource_named(name).is_none() {
-                    return Ok(Vec::new());
-                }
-                let words = program.words(&session.gpu, name)?;
-                let values: Vec<f32> = words.into_iter().map(f32::from_bits).collect();
-                Ok(band.own(&values, width * in_a_pixel).to_vec())
-            };
-            let hatched = read(effects::HATCH, 4)?;
-            let pixels = || hatched.as_chunks::<4>().0.iter();
-            Ok(StyleChannels {
-                stroke: read(effects::STROKE, 1)?,
-                hatch: pixels().map(|p| p[0]).collect(),
-                cap_uv: pixels().map(|p| [p[1], p[2]]).collect(),
-                visibility: read(effects::VISIBILITY, 1)?,
-            })
-        })?;
+        let bands = self.in_bands(
+            model,
+            view,
+            layers,
+            self.most_bytes(),
+            |session, band, view, layers| {
+                let words = words_from_layers(layers);
+                let program = session.run_once(effects::channels_of(model, view, &words))?;
+                let read = |name: &str, in_a_pixel: usize| -> Result<Vec<f32>> {
+                    if program.plan().resource_named(name).is_none() {
+                        return Ok(Vec::new());
+                    }
+                    let words = program.words(&session.gpu, name)?;
+                    let values: Vec<f32> = words.into_iter().map(f32::from_bits).collect();
+                    Ok(band.own(&values, width * in_a_pixel).to_vec())
+                };
+                let hatched = read(effects::HATCH, 4)?;
+                let pixels = || hatched.as_chunks::<4>().0.iter();
+                Ok(StyleChannels {
+                    stroke: read(effects::STROKE, 1)?,
+                    hatch: pixels().map(|p| p[0]).collect(),
+                    cap_uv: pixels().map(|p| [p[1], p[2]]).collect(),
+                    visibility: read(effects::VISIBILITY, 1)?,
+                })
+            },
+        )?;
         let mut all = StyleChannels::default();
         bands.into_iter().for_each(|band| all.append(band));
         Ok(all)
     }
 
-    /// Applies a function to bands of layers, with as few bands as memory and the device's limits permit.
+    /// Bytes that the layers of a band and the effects over them may take.
+    pub(super) fn most_bytes(&self) -> u64 {
+        self.strip_bytes.saturating_mul(MOST_STRIPS_OF_FRAME)
+    }
+
+    /// Applies a function to bands of layers, with as few bands as the bytes and the device's limits permit.
     pub(super) fn in_bands<T>(
         &self,
         model: &Model,
         view: &View,
         layers: &Layers,
+        most_bytes: u64,
         mut finish: impl FnMut(&Self, &Rows, &View, &Layers) -> Result<T>,
     ) -> Result<Vec<T>> {
         let [width, rows] = layers.size_px;
         let halo = effects::halo_rows(model, view);
-        let most_bytes = self.strip_bytes.saturating_mul(MOST_STRIPS_OF_FRAME);
         let most_rows = most_bytes / (EFFECT_BYTES * u64::from(width.max(1)));
         let own_rows = (u32::try_from(most_rows).unwrap_or(u32::MAX)).saturating_sub(2 * halo);
         let own_rows = own_rows.max(halo).max(Capacities::FEWEST_ROWS);

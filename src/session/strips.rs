@@ -18,7 +18,7 @@ use crate::layers::Layers;
 use crate::passes::Model;
 use crate::plan::{Capacities, Clock};
 use crate::scene::{Style, View};
-use crate::strategies::{self, Method};
+use crate::strategies::{self, Method, Refusal};
 use crate::{Error, Result};
 
 /// Bytes of a frame's buffers above which a picture is drawn in strips, unless the scene takes more: then as many as the scene takes, because
@@ -59,8 +59,11 @@ impl Strip {
 
     /// The strip's own rows of the layers of a frame of its view.
     #[must_use]
-    pub fn own_layers(&self, drawn: &Layers) -> Layers {
-        drawn.rows(self.rows.above, self.rows.count)
+    pub fn own_layers(&self, drawn: Layers) -> Layers {
+        match self.rows.drawn().1 == self.rows.count {
+            true => drawn,
+            false => drawn.rows(self.rows.above, self.rows.count),
+        }
     }
 }
 
@@ -91,13 +94,19 @@ impl Session {
             return Some(vec![Strip::whole(view)]);
         }
         let halo = effects::halo_rows(model, view);
-        if most < (LEAST_HALOS + 2) * halo {
+        let most_of_frame = within(most_bytes.saturating_mul(MOST_STRIPS_OF_FRAME));
+        let least = (LEAST_HALOS + 2) * halo;
+        // Higher strips than memory suggests are better than layers of the whole picture.
+        let most = match least <= most_of_frame && u64::from(least) * 3 <= u64::from(rows) * 2 {
+            true => most.max(least),
+            false => most,
+        };
+        if most < least {
             let fits = || {
                 let plan = strategies::plan(model, view, method, &Capacities::UNKNOWN);
                 plan.is_ok_and(|plan| plan.check(self.gpu.limits()).is_ok())
             };
-            let most = within(most_bytes.saturating_mul(MOST_STRIPS_OF_FRAME));
-            return (rows <= most && fits()).then(|| vec![Strip::whole(view)]);
+            return (rows <= most_of_frame && fits()).then(|| vec![Strip::whole(view)]);
         }
         let strips = Rows::strips(rows, most, halo);
         let strips = strips.map(|rows| Strip {
@@ -107,7 +116,8 @@ impl Session {
         Some(strips.collect())
     }
 
-    /// Draws the layers of a frame strip by strip, without effects. The strips are the method's last frames.
+    /// Draws the layers of a frame, strip by strip and without effects if the frame is large. Afterwards [`Session::layers`],
+    /// [`Session::picture`], [`Session::bytes`] and [`Session::repeat`] are about the last strip alone.
     ///
     /// # Errors
     ///
@@ -117,16 +127,31 @@ impl Session {
         model: &Model,
         view: &View,
         method: impl Into<Method>,
-    ) -> Result<(Drawn, Layers)> {
+    ) -> Result<Result<(Drawn, Layers), Refusal>> {
         let method = method.into();
-        let plain = model.in_style(Style::default());
+        let is_whole = self
+            .strips(model, view, method)
+            .is_some_and(|strips| strips.len() == 1);
+        // A frame that may be followed by its picture keeps the passes of its style.
+        let plain = (!is_whole).then(|| model.in_style(Style::default()));
+        let model = plain.as_ref().unwrap_or(model);
+        let [width, height] = view.size_px;
         let mut pixels = Vec::new();
-        let drawn = self.draw_strips(&plain, view, method, |session, strip| {
-            pixels.extend_from_slice(strip.own(&session.layers(method)?.pixels, 1));
+        let drawn = self.draw_strips(model, view, method, |session, strip| {
+            let layers = strip.own_layers(session.layers(method)?).pixels;
+            if pixels.is_empty() && layers.len() == width as usize * height as usize {
+                pixels = layers;
+            } else {
+                pixels.reserve_exact(width as usize * height as usize - pixels.len());
+                pixels.extend(layers);
+            }
             Ok(())
         })?;
         let size_px = view.size_px;
-        Ok((drawn, Layers { size_px, pixels }))
+        Ok(match drawn.outcome {
+            Outcome::Refused(refusal) => Err(refusal),
+            _ => Ok((drawn, Layers { size_px, pixels })),
+        })
     }
 
     /// Draws a frame strip by strip, whole if it has [no strips](Session::strips). `each` gets every strip after its frame was drawn, while
@@ -162,7 +187,7 @@ impl Session {
 }
 
 impl Drawn {
-    /// Adds the result of other rows of the same frame.
+    /// Adds the result of other rows of the same frame: the first reason why it is not complete stays, but a refusal replaces it.
     pub fn add(&mut self, other: Self) {
         if self.outcome == Outcome::Complete || matches!(other.outcome, Outcome::Refused(_)) {
             self.outcome = other.outcome;

@@ -50,8 +50,8 @@ fn note_open_parts(count_px: usize, open: &str, console: &Console) {
     }
 }
 
-/// Warns of `count` pixels that may be wrong because the mesh is open along their rays. With a closed mesh, such pixels are a fault of the program
-/// or of the driver, and the frame has failed.
+/// Warns of `count` pixels that may be wrong because the mesh is open along their rays. With a closed mesh, such pixels are a fault of the
+/// program or of the driver, and the frame has failed.
 pub(super) fn warn_of_doubt(
     count: usize,
     renderer: Renderer,

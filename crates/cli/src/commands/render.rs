@@ -232,7 +232,7 @@ struct Wanted {
 /// Data of the frame without supersampling.
 struct PlainFrame {
     outcome: Outcome,
-    /// Always there after a method. After an evaluator on the CPU only if wanted, because that takes a second evaluation.
+    /// Counts of pixels. A method always has them; an evaluator on the CPU only if they are wanted, because they take a second evaluation.
     counts: Option<FrameCounts>,
     layers: Option<Layers>,
     /// RGBA8.
@@ -276,30 +276,33 @@ impl PlainFrame {
                 let mut counts = FrameCounts::default();
                 let mut bytes = [0; 3];
                 let (mut pixels, mut picture) = (Vec::new(), Vec::new());
-                let mut note = |session: &Session, layers: Layers, row| {
+                let mut note = |session: &Session, mut layers: Layers, row| {
                     counts.add(&layers, prepared, view, row);
                     if wanted.layers {
-                        pixels.extend(layers.pixels);
+                        match pixels.is_empty() {
+                            true => pixels = layers.pixels,
+                            false => pixels.append(&mut layers.pixels),
+                        }
                     }
                     for (most, bytes) in bytes.iter_mut().zip(session.bytes(method)?) {
                         *most = bytes.max(*most);
                     }
                     Ok(())
                 };
-                // Pictures of layers that are shaded later are not made here.
-                let is_shaded = session.strips(&shown.model, view, method).is_none();
-                let drawn = if is_shaded {
-                    let (drawn, layers) = session.draw_layers(&shown.model, view, method)?;
-                    if !matches!(drawn.outcome, Outcome::Refused(_)) {
-                        note(session, layers, 0)?;
+                let drawn = if session.strips(&shown.model, view, method).is_none() {
+                    let drawn = session.draw_layers(&shown.model, view, method)?;
+                    let (drawn, layers) = drawn.map_err(|r| picture::refused(renderer, &r))?;
+                    if wanted.picture {
+                        picture = session.shade(&shown.model, view, &layers)?;
                     }
+                    note(session, layers, 0)?;
                     drawn
                 } else {
                     session.draw_strips(&shown.model, view, method, |session, strip| {
                         if wanted.picture {
                             picture.extend_from_slice(strip.own(&session.picture(method)?, 4));
                         }
-                        let layers = strip.own_layers(&session.layers(method)?);
+                        let layers = strip.own_layers(session.layers(method)?);
                         note(session, layers, strip.rows()[0])
                     })?
                 };
@@ -311,7 +314,7 @@ impl PlainFrame {
                     outcome: drawn.outcome,
                     counts: Some(counts),
                     layers: wanted.layers.then_some(Layers { size_px, pixels }),
-                    picture: (wanted.picture && !is_shaded).then_some(picture),
+                    picture: wanted.picture.then_some(picture),
                     times: json!(PerClock::from_fn(
                         |clock: Clock| drawn.times.clocks_ms[clock as usize]
                     )),

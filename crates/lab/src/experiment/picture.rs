@@ -59,9 +59,16 @@ pub fn draw_noting(
     // Layers that are not drawn in strips with their picture are those of the whole picture, and are shaded.
     let is_shaded = strips.is_none();
     let [width, height] = view.size_px;
-    let mut rgba = Vec::with_capacity(width as usize * height as usize * 4);
+    let strips = strips.unwrap_or_else(|| vec![Strip::whole(view)]);
+    let is_whole = strips.len() == 1;
+    let pixels = if is_whole {
+        0
+    } else {
+        width as usize * height as usize
+    };
+    let mut rgba = Vec::with_capacity(pixels * 4);
     let mut frames: Vec<Drawn> = Vec::new();
-    for strip in strips.unwrap_or_else(|| vec![Strip::whole(view)]) {
+    for strip in strips {
         let mut samples = PictureSamples::new([width, strip.rows()[1]], supersample);
         let mut last = None;
         for (number, (at, view)) in strip.view.samples(supersample).enumerate() {
@@ -70,7 +77,8 @@ pub fn draw_noting(
                     (None, Some(evaluator.evaluate(shown.truth()?, &view).layers))
                 }
                 Renderer::Method(method) if is_shaded => {
-                    let (drawn, layers) = session.draw_layers(model, &view, method)?;
+                    let drawn = session.draw_layers(model, &view, method)?;
+                    let (drawn, layers) = drawn.map_err(|r| refused(renderer, &r))?;
                     (Some(drawn), Some(layers))
                 }
                 Renderer::Method(method) => (Some(session.draw(model, &view, method)?), None),
@@ -91,16 +99,22 @@ pub fn draw_noting(
                 }
                 (None, Renderer::Cpu(_)) => {}
             }
-            last = layers;
+            // One sample's layers are many bytes: only those that are noted outlive it.
+            let is_noted = note.is_some() && number + 1 == (supersample * supersample) as usize;
+            last = layers.filter(|_| is_noted);
         }
         if let Some(note) = &mut note {
             let layers = match (last, renderer) {
-                (None, Renderer::Method(method)) => strip.own_layers(&session.layers(method)?),
+                (None, Renderer::Method(method)) => strip.own_layers(session.layers(method)?),
                 (layers, _) => layers.unwrap_or_else(|| Layers::background([width, 0])),
             };
             note(&layers, strip.rows()[0]);
         }
-        rgba.extend(filtered(samples));
+        let filtered = filtered(samples);
+        match is_whole {
+            true => rgba = filtered,
+            false => rgba.extend(filtered),
+        }
     }
     Ok(Picture {
         image: image_of(rgba, view.size_px),

@@ -45,7 +45,9 @@ fn walked_surfaces(slabs: SlabIntervals, bits: SlabBits) -> u32 {
             let is_entered = (rises & bit) != 0u;
             let changes = is_removed(others | bit, cuts) != is_removed(others, cuts);
             matters &= changes && (is_entered || (bits.within & bit) != 0u);
-            let is_cap = changes && is_entered && (bits.odd & ~bits.within & bit) != 0u && !bits.is_lost;
+            let is_inside = (bits.odd & ~bits.within & bit) != 0u && !bits.is_lost;
+            // All fragments are behind a slab that the ray passes before the near plane.
+            let is_cap = changes && is_entered && is_inside && slab.x > frame.near;
             end = select(end, min(end, slab.y), is_cap);
         }
         walked |= select(0u, met, matters);

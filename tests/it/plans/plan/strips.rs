@@ -6,6 +6,7 @@ use cutaway::scene::{Camera, Viewpoint};
 use cutaway::session::{Outcome, Session, Strip};
 use cutaway::strategies::Method;
 use cutaway_io::document::named_style;
+use cutaway_lab::compare::FrameCounts;
 use cutaway_lab::experiment::{Renderer, SceneAtTime, picture};
 
 use super::bands::classes;
@@ -43,7 +44,7 @@ fn drawn(session: &mut Session, style: &str, method: Method) -> (Layers, Vec<u8>
             "{method}"
         );
         let layers = session.layers(method)?;
-        let own = strip.own_layers(&layers);
+        let own = strip.own_layers(layers.clone());
         assert_eq!(own.size_px, [SIZE_PX[0], rows], "{method}");
         assert_eq!(own.pixels, strip.own(&layers.pixels, 1), "{method}");
         pixels.extend(own.pixels);
@@ -84,7 +85,8 @@ fn strips_show_what_one_frame_shows() {
         let is_adaptive = name.starts_with("adaptive");
         let most = if is_adaptive { 8 } else { 0 };
         assert!(others <= most, "{what}: {others} pixels of another class");
-        // A depth is rounded in another way where its row has another number, which moves a colour by a step or two; without the rows around strips it is 31.
+        // A depth is rounded in another way where its row has another number, which moves a colour by a step or two; without the rows
+        // around strips it is 31.
         let moved = |found: &[u8]| {
             let steps = picture.iter().zip(found).map(|(a, b)| a.abs_diff(*b));
             steps.max().unwrap_or(0)
@@ -137,4 +139,35 @@ fn regression_0019_a_large_picture_with_occlusion_is_drawn_on_a_device_of_small_
     let steps = expected.iter().zip(&found).map(|(a, b)| a.abs_diff(*b));
     let most = steps.max().unwrap_or(u8::MAX);
     assert!(most <= 3, "{most}");
+}
+
+#[test]
+fn a_picture_of_several_samples_and_its_counts_do_not_depend_on_strips() {
+    let method: Method = "raycast+mask@compute".parse().expect("a method");
+    let mut scene = cut_scene("lit");
+    // A hole: pixels are marked.
+    let mesh = Arc::make_mut(&mut scene.parts[0].mesh);
+    mesh.triangles.truncate(mesh.triangles.len() - 4);
+    let shown = SceneAtTime::new(&scene);
+    let view = shown.model.prepared.view(SIZE_PX);
+    let drawn = |session: &mut Session| {
+        let (mut counts, mut strips) = (FrameCounts::default(), 0);
+        let mut count = |layers: &Layers, row| {
+            counts.add(layers, &shown.model.prepared, &view, row);
+            strips += 1;
+        };
+        let renderer = Renderer::from(method);
+        let picture = picture::draw_noting(session, &shown, &view, renderer, 2, Some(&mut count));
+        let image = picture.expect("a picture").image.into_raw();
+        (image, counts, strips)
+    };
+    let (expected, counts, strips) = drawn(&mut session(u64::MAX));
+    assert_eq!(strips, 1);
+    assert_eq!(counts.total(), (SIZE_PX[0] * SIZE_PX[1]) as usize);
+    assert!(counts.may_be_wrong > 20, "{counts:?}");
+    let (found, found_counts, strips) = drawn(&mut session(0));
+    assert!(strips > 1, "{strips} strips");
+    assert_eq!(found_counts, counts);
+    let steps = expected.iter().zip(&found).map(|(a, b)| a.abs_diff(*b));
+    assert!(steps.max().unwrap_or(u8::MAX) <= 3, "another picture");
 }
