@@ -125,7 +125,7 @@ impl Session {
         }
     }
 
-    /// Sets the bytes of a frame's buffers above which [`Session::strips`] divides a picture; 192 MiB by default.
+    /// Sets the bytes of a frame's buffers above which [`Session::strips`] divides a picture; 160 MiB by default.
     #[must_use]
     pub fn with_strip_bytes(self, strip_bytes: u64) -> Self {
         Self {

@@ -23,7 +23,7 @@ use crate::{Error, Result};
 
 /// Bytes of a frame's buffers above which a picture is drawn in strips, unless the scene takes more: then as many as the scene takes, because
 /// every strip reads the whole mesh.
-pub(super) const STRIP_BYTES: u64 = 192 << 20;
+pub(super) const STRIP_BYTES: u64 = 160 << 20;
 /// A picture whose effects read far is one frame up to so many times those bytes, if the device's limits permit.
 pub(super) const MOST_STRIPS_OF_FRAME: u64 = 8;
 /// Least height of a strip, as a multiple of the rows on each side that its effects read.

@@ -3,8 +3,9 @@
 //
 // A crossing can matter if its surface's slab holds a fragment of the pixel, or has an odd number of fragments of a part behind it. Where no
 // other slab meets that one along the ray, and all cut parts have the same cuts, it does not matter if the cuts remove both sides or keep
-// both; or if the ray leaves what is kept there, and no fragment is within; or behind a cap that is certain. Surfaces are walked if their
-// crossings matter, and where their slabs meet those that do: elsewhere one crossing anywhere in the slab will do.
+// both; or if the ray leaves what is kept there, no fragment is within, and what the ray entered is shown; or behind a cap that is certain.
+// Surfaces are walked if their crossings matter, and where their slabs meet those that do: elsewhere one crossing anywhere in the slab will
+// do.
 
 #import cutaway::asked::Interval
 #import cutaway::crossing_list::{List, add, begin_list, finish}
@@ -27,11 +28,13 @@ override near_inside: bool = false;
 // The cuts of every cut part; 0 if they differ.
 override cuts: u32 = 0u;
 
-// Bits of the clip-surfaces that are walked.
-fn walked_surfaces(slabs: SlabIntervals, bits: SlabBits) -> u32 {
+// Bits of the clip-surfaces that are walked, if crossings are listed from a depth on.
+fn walked_surfaces(slabs: SlabIntervals, bits: SlabBits, first_depth: f32) -> u32 {
     // The side on which the ray starts matters for the cap of the near plane.
     var walked = select(0u, slabs_between(slabs, vec2<f32>(frame.near)), near_inside);
     var end = UNREACHED;
+    // Where the ray has come into a solid, something is drawn: a surface, or a cap of the near plane.
+    let shows_entries = frame.near_cap != 0u && (near_inside || !bits.is_total_odd);
     let rises = rising(slabs);
     let count = slab_count();
     for (var s = 0u; s < count; s++) {
@@ -44,10 +47,9 @@ fn walked_surfaces(slabs: SlabIntervals, bits: SlabBits) -> u32 {
             let others = ((rises & ~passed) | (passed & ~rises)) & ~bit;
             let is_entered = (rises & bit) != 0u;
             let changes = is_removed(others | bit, cuts) != is_removed(others, cuts);
-            matters &= changes && (is_entered || (bits.within & bit) != 0u);
+            matters &= changes && (is_entered || !shows_entries || (bits.within & bit) != 0u);
             let is_inside = (bits.odd & ~bits.within & bit) != 0u && !bits.is_lost;
-            // All fragments are behind a slab that the ray passes before the near plane.
-            let is_cap = changes && is_entered && is_inside && slab.x > frame.near;
+            let is_cap = changes && is_entered && is_inside && slab.x > first_depth;
             end = select(end, min(end, slab.y), is_cap);
         }
         walked |= select(0u, met, matters);
@@ -75,7 +77,7 @@ fn cross(xy: vec2<u32>) {
     let interval = interval_in_tile(xy, reach_at(xy), near_inside);
     if interval.part.x < interval.part.y {
         let slabs = slab_intervals(xy);
-        let walked = walked_surfaces(slabs, bits);
+        let walked = walked_surfaces(slabs, bits, interval.part.x);
         // Backwards: among crossings at one depth the last is the cap's, and among coplanar clip-surfaces the first has the cap.
         for (var left = slab_count(); left > 0u; left--) {
             let s = surface_of(left - 1u);

@@ -1,6 +1,9 @@
 //! Lanes that are marked by slabs lead to the same layers as full lists of crossings, in one frame after another.
 
-use cutaway::scene::{Cut, Scene};
+use std::sync::Arc;
+
+use cutaway::scene::{Camera, Cut, Scene};
+use glam::DVec3;
 use image::{GrayImage, Luma};
 
 use super::full_lists::{compare, layers_are_those_of_full_lists, passes};
@@ -89,6 +92,33 @@ fn a_walk_that_ends_early_ends_on_the_right_side() {
     let cameras = [90.0, 100.0].map(|azimuth| scenes::orbit(azimuth, -5.0, false));
     let differ = compare(&scene, "", &cameras, [300, 225]);
     assert_eq!(differ, cameras.len(), "the control");
+}
+
+/// A ray that leaves what is kept through a bumpy relief may enter a bump on its way, which is seen if nothing is drawn where the ray came
+/// into the solid: without a cap of the near plane.
+#[test]
+fn bumps_are_seen_from_within_without_a_near_cap() {
+    let waves = "waves:amplitude=8%,period=20%";
+    let mut scene = scene_of("cube", "y=40%", waves);
+    let within = scenes::looking(
+        DVec3::new(-0.45, 0.2, 0.03),
+        DVec3::new(0.4, -0.15, 0.1),
+        50.0,
+    );
+    let cameras = [false, true].map(|near_cap| Camera {
+        near_cap,
+        near: Some(0.02),
+        ..within
+    });
+    assert_eq!(compare(&scene, "", &cameras, [200, 150]), 2, "the control");
+    // Faces that are turned inside out are not drawn from the front either.
+    let mesh = Arc::make_mut(&mut scene.parts[0].mesh);
+    mesh.triangles.iter_mut().for_each(|t| t.swap(0, 1));
+    let outside = Camera {
+        near_cap: false,
+        ..scenes::orbit(35.0, 20.0, false)
+    };
+    assert_eq!(compare(&scene, "", &[outside], [200, 150]), 1);
 }
 
 #[test]
