@@ -129,15 +129,20 @@ impl Session {
         method: impl Into<Method>,
     ) -> Result<Result<(Drawn, Layers), Refusal>> {
         let method = method.into();
-        let is_whole = self
-            .strips(model, view, method)
-            .is_some_and(|strips| strips.len() == 1);
-        // A frame that may be followed by its picture keeps the passes of its style.
-        let plain = (!is_whole).then(|| model.in_style(Style::default()));
-        let model = plain.as_ref().unwrap_or(model);
+        let whole = || vec![Strip::whole(view)];
+        let plain;
+        let (model, strips) = match self.strips(model, view, method) {
+            // A frame that may be followed by its picture keeps the passes of its style.
+            Some(strips) if strips.len() == 1 => (model, strips),
+            _ => {
+                plain = model.in_style(Style::default());
+                let strips = self.strips(&plain, view, method);
+                (&plain, strips.unwrap_or_else(whole))
+            }
+        };
         let [width, height] = view.size_px;
         let mut pixels = Vec::new();
-        let drawn = self.draw_strips(model, view, method, |session, strip| {
+        let drawn = self.draw_strips(model, method, &strips, |session, strip| {
             let layers = strip.own_layers(session.layers(method)?).pixels;
             if pixels.is_empty() && layers.len() == width as usize * height as usize {
                 pixels = layers;
@@ -154,23 +159,22 @@ impl Session {
         })
     }
 
-    /// Draws a frame strip by strip, whole if it has [no strips](Session::strips). `each` gets every strip after its frame was drawn, while
+    /// Draws the [strips](Session::strips) of a frame one after another. `each` gets every strip after its frame was drawn, while
     /// [`Session::picture`] and [`Session::layers`] return that frame. Stops at a refusal.
     ///
     /// # Errors
     ///
-    /// Those of [`Session::draw`] and of `each`.
+    /// Those of [`Session::draw`] and of `each`, and an error if there is no strip.
     pub fn draw_strips(
         &mut self,
         model: &Model,
-        view: &View,
         method: impl Into<Method>,
+        strips: &[Strip],
         mut each: impl FnMut(&Self, &Strip) -> Result<()>,
     ) -> Result<Drawn> {
         let method = method.into();
         let mut all: Option<Drawn> = None;
-        let strips = self.strips(model, view, method);
-        for strip in strips.unwrap_or_else(|| vec![Strip::whole(view)]) {
+        for strip in strips {
             let drawn = self.draw(model, &strip.view, method)?;
             let is_refused = matches!(drawn.outcome, Outcome::Refused(_));
             match &mut all {
@@ -180,7 +184,7 @@ impl Session {
             if is_refused {
                 break;
             }
-            each(self, &strip)?;
+            each(self, strip)?;
         }
         all.ok_or_else(|| Error::Plan("a picture has no strip".into()))
     }

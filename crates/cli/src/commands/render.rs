@@ -289,22 +289,26 @@ impl PlainFrame {
                     }
                     Ok(())
                 };
-                let drawn = if session.strips(&shown.model, view, method).is_none() {
-                    let drawn = session.draw_layers(&shown.model, view, method)?;
-                    let (drawn, layers) = drawn.map_err(|r| picture::refused(renderer, &r))?;
-                    if wanted.picture {
-                        picture = session.shade(&shown.model, view, &layers)?;
+                let model = &shown.model;
+                let drawn = match session.strips(model, view, method) {
+                    Some(strips) => {
+                        session.draw_strips(model, method, &strips, |session, strip| {
+                            if wanted.picture {
+                                picture.extend_from_slice(strip.own(&session.picture(method)?, 4));
+                            }
+                            let layers = strip.own_layers(session.layers(method)?);
+                            note(session, layers, strip.rows()[0])
+                        })?
                     }
-                    note(session, layers, 0)?;
-                    drawn
-                } else {
-                    session.draw_strips(&shown.model, view, method, |session, strip| {
+                    None => {
+                        let drawn = session.draw_layers(model, view, method)?;
+                        let (drawn, layers) = drawn.map_err(|r| picture::refused(renderer, &r))?;
                         if wanted.picture {
-                            picture.extend_from_slice(strip.own(&session.picture(method)?, 4));
+                            picture = session.shade(model, view, &layers)?;
                         }
-                        let layers = strip.own_layers(session.layers(method)?);
-                        note(session, layers, strip.rows()[0])
-                    })?
+                        note(session, layers, 0)?;
+                        drawn
+                    }
                 };
                 if let Outcome::Refused(refusal) = &drawn.outcome {
                     return Err(picture::refused(renderer, refusal));

@@ -70,45 +70,39 @@ pub fn draw_noting(
     let mut frames: Vec<Drawn> = Vec::new();
     for strip in strips {
         let mut samples = PictureSamples::new([width, strip.rows()[1]], supersample);
-        let mut last = None;
+        let first_row = strip.rows()[0];
         for (number, (at, view)) in strip.view.samples(supersample).enumerate() {
-            let (drawn, layers) = match renderer {
-                Renderer::Cpu(evaluator) => {
-                    (None, Some(evaluator.evaluate(shown.truth()?, &view).layers))
-                }
+            let is_last = number + 1 == (supersample * supersample) as usize;
+            let note = note.as_mut().filter(|_| is_last);
+            let mut count = |drawn: Drawn| match frames.get_mut(number) {
+                Some(frame) => frame.add(drawn),
+                None => frames.push(drawn),
+            };
+            let layers = match renderer {
+                Renderer::Cpu(evaluator) => evaluator.evaluate(shown.truth()?, &view).layers,
                 Renderer::Method(method) if is_shaded => {
                     let drawn = session.draw_layers(model, &view, method)?;
                     let (drawn, layers) = drawn.map_err(|r| refused(renderer, &r))?;
-                    (Some(drawn), Some(layers))
+                    count(drawn);
+                    layers
                 }
-                Renderer::Method(method) => (Some(session.draw(model, &view, method)?), None),
-            };
-            if let Some(drawn) = drawn {
-                if let Outcome::Refused(refusal) = &drawn.outcome {
-                    return Err(refused(renderer, refusal));
-                }
-                match frames.get_mut(number) {
-                    Some(frame) => frame.add(drawn),
-                    None => frames.push(drawn),
-                }
-            }
-            match (&layers, renderer) {
-                (Some(layers), _) => samples.add(at, &session.shade(model, &view, layers)?),
-                (None, Renderer::Method(method)) => {
+                Renderer::Method(method) => {
+                    let drawn = session.draw(model, &view, method)?;
+                    if let Outcome::Refused(refusal) = &drawn.outcome {
+                        return Err(refused(renderer, refusal));
+                    }
+                    count(drawn);
                     samples.add(at, strip.own(&session.picture(method)?, 4));
+                    if let Some(note) = note {
+                        note(&strip.own_layers(session.layers(method)?), first_row);
+                    }
+                    continue;
                 }
-                (None, Renderer::Cpu(_)) => {}
-            }
-            // One sample's layers are many bytes: only those that are noted outlive it.
-            let is_noted = note.is_some() && number + 1 == (supersample * supersample) as usize;
-            last = layers.filter(|_| is_noted);
-        }
-        if let Some(note) = &mut note {
-            let layers = match (last, renderer) {
-                (None, Renderer::Method(method)) => strip.own_layers(session.layers(method)?),
-                (layers, _) => layers.unwrap_or_else(|| Layers::background([width, 0])),
             };
-            note(&layers, strip.rows()[0]);
+            samples.add(at, &session.shade(model, &view, &layers)?);
+            if let Some(note) = note {
+                note(&layers, first_row);
+            }
         }
         let filtered = filtered(samples);
         match is_whole {

@@ -13,7 +13,7 @@ use super::*;
 
 const SIZE_PX: [u32; 2] = [96, 260];
 
-fn cut_scene() -> Scene {
+pub(super) fn cut_scene() -> Scene {
     let mut scene = scene_of(&["cube?divisions=2", "sphere"], vec![reliefs(0.1, 1)]);
     scene.camera = Camera {
         viewpoint: Viewpoint::Orbit {

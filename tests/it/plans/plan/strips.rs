@@ -2,8 +2,7 @@
 
 use cutaway::layers::{Kind, Layers};
 use cutaway::plan::Limits;
-use cutaway::scene::{Camera, Viewpoint};
-use cutaway::session::{Outcome, Session, Strip};
+use cutaway::session::{Outcome, Session};
 use cutaway::strategies::Method;
 use cutaway_io::document::named_style;
 use cutaway_lab::compare::FrameCounts;
@@ -15,16 +14,10 @@ use super::*;
 const SIZE_PX: [u32; 2] = [240, 420];
 
 fn cut_scene(style: &str) -> Scene {
-    let mut scene = scene_of(&["cube?divisions=2", "sphere"], vec![reliefs(0.1, 1)]);
-    scene.camera = Camera {
-        viewpoint: Viewpoint::Orbit {
-            azimuth_deg: 210.0,
-            elevation_deg: 25.0,
-        },
-        ..scene.camera
-    };
-    scene.style = named_style(style).unwrap_or_else(|e| panic!("{e}"));
-    scene
+    Scene {
+        style: named_style(style).unwrap_or_else(|e| panic!("{e}")),
+        ..bands::cut_scene()
+    }
 }
 
 fn session(strip_bytes: u64) -> Session {
@@ -36,7 +29,8 @@ fn drawn(session: &mut Session, style: &str, method: Method) -> (Layers, Vec<u8>
     let model = Model::new(&cut_scene(style));
     let view = model.prepared.view(SIZE_PX);
     let (mut pixels, mut picture, mut strips) = (Vec::new(), Vec::new(), 0);
-    let all = session.draw_strips(&model, &view, method, |session, strip: &Strip| {
+    let found = session.strips(&model, &view, method).expect("strips");
+    let all = session.draw_strips(&model, method, &found, |session, strip| {
         let [first, rows] = strip.rows();
         assert_eq!(
             pixels.len(),
