@@ -166,8 +166,17 @@ impl RayCase<'_> {
                 });
                 beyond.flatten().map(change).fold(own, f64::max)
             }
-            Cause::Clip { .. } => {
-                self.roots[event.source as usize].depth_change(self.view, &self.ray)
+            Cause::Clip { surface, .. } => {
+                let root = &self.roots[event.source as usize];
+                match root.face {
+                    // A cutter's faces are rasterised like those of parts.
+                    Some(face) => {
+                        let cutter = &self.parts[usize::from(self.cutters.rank_of(surface))];
+                        let facet = cutter.facet(face.triangle);
+                        facet.depth_change(self.view, self.ray.direction, event.depth)
+                    }
+                    None => root.depth_change(self.view, &self.ray),
+                }
             }
         };
         change + rounding(self.view, event.depth)

@@ -153,9 +153,13 @@ impl Facet {
 /// Returns true if, somewhere in a scene, the error of depths interpolated in f32 exceeds the margin that vertex snapping leaves, which
 /// moves vertices by at most 0.7 of [`View::doubt_px`]. This happens where triangles are long and narrow.
 pub(super) fn slopes_matter(prepared: &Prepared, view: &View) -> bool {
-    prepared.parts.par_iter().any(|part| {
-        part.triangles.par_iter().any(|corners| {
-            let points = corners.map(|i| part.positions[i as usize].as_dvec3());
+    let parts = prepared.parts.par_iter();
+    let of_parts = parts.map(|part| (&part.positions[..], &part.triangles[..]));
+    let cutters = (prepared.surfaces.par_iter()).filter_map(|surface| surface.volume.as_ref());
+    let of_cutters = cutters.map(|cutter| (&cutter.positions[..], &cutter.mesh.triangles[..]));
+    (of_parts.chain(of_cutters)).any(|(positions, triangles)| {
+        triangles.par_iter().any(|corners| {
+            let points = corners.map(|i| positions[i as usize].as_dvec3());
             let depths = points.map(|p| view.depth_of(p));
             // The ratio of slope error to margin grows with depth, so the two are compared at the triangle's farthest corner.
             let (far, depth) =
