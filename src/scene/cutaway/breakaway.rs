@@ -5,8 +5,9 @@
 //! in the picture, in front of the extended hull's foremost surface, and can show walls only in part.
 //!
 //! All points between an interior part and the eye are inside: for a point p of the extended hull and a direction u of the cone, p + t u
-//! is in the hull of both ends for all t up to the sweep's length. Cost: the hull of the interior parts' vertices, kept while the camera alone
-//! moves, and a hull of some ten thousand points per opening. Cannot: open towards an eye inside the extended hull; there is no opening then.
+//! is in the hull of both ends for all t up to the sweep's length. That hull is the sum of the extended hull and the cone. Cost: the hull of
+//! the interior parts' vertices, kept while the camera alone moves, and a sum per opening. Cannot: open towards an eye inside the
+//! extended hull; there is no opening then.
 
 use std::sync::LazyLock;
 
@@ -161,13 +162,17 @@ impl Breakaway {
             },
         };
         let (x, y) = axis.any_orthonormal_pair();
-        let mut points = hull.corners.clone();
+        let mut cone = vec![DVec3::ZERO];
         for side in 0..SIDES {
             let (sin, cos) = (std::f64::consts::TAU * f64::from(side) / f64::from(SIDES)).sin_cos();
-            let end = (axis + (x * cos + y * sin) * spread) * length;
-            points.extend(hull.corners.iter().map(|c| *c + end));
+            cone.push((axis + (x * cos + y * sin) * spread) * length);
         }
-        let Some(ConvexHull { corners, triangles }) = ConvexHull::of(&points) else {
+        let sweep = match ConvexHull::of(&cone) {
+            Some(cone) => hull.sum(&cone),
+            // Without a spread, all sides of the cone are the same.
+            None => ConvexHull::of(&both_ends(&hull.corners, cone[1])),
+        };
+        let Some(ConvexHull { corners, triangles }) = sweep else {
             return Ok(None);
         };
         let mesh = Mesh {
@@ -182,24 +187,29 @@ impl Breakaway {
     }
 }
 
+/// Points, and the same points moved.
+fn both_ends(points: &[DVec3], by: DVec3) -> Vec<DVec3> {
+    let moved = points.iter().map(|p| *p + by);
+    points.iter().copied().chain(moved).collect()
+}
+
 /// The significant corners, and the hull of a ball around each of them; `None` if that hull has no volume. The ball's radius is enlarged by
 /// the protrusion of the corners that were left out.
 fn extended(points: &[DVec3], distance: f64) -> Option<(Vec<DVec3>, ConvexHull)> {
     let size = Bounds::from_points(points.iter().copied()).size().length();
     let aside = (LEFT_OUT * distance / size).clamp(1e-6, 1e-3);
-    let corners = match ConvexHull::roughly(points, aside) {
-        Some(hull) => hull.corners,
-        None => points.to_vec(),
-    };
     let radius = distance + aside * size;
-    let around = corners
-        .iter()
-        .flat_map(|p| BALL.iter().map(move |b| *p + *b * radius));
-    let hull = ConvexHull::of(&around.collect::<Vec<_>>())?;
-    Some((corners, hull))
+    let ball = BALL.as_ref()?.scaled(radius);
+    if let Some(hull) = ConvexHull::roughly(points, aside) {
+        let extended = hull.sum(&ball)?;
+        return Some((hull.corners, extended));
+    }
+    let around = (points.iter()).flat_map(|p| ball.corners.iter().map(move |b| *p + *b));
+    let extended = ConvexHull::of(&around.collect::<Vec<_>>())?;
+    Some((points.to_vec(), extended))
 }
 
-static BALL: LazyLock<Vec<DVec3>> = LazyLock::new(ball);
+static BALL: LazyLock<Option<ConvexHull>> = LazyLock::new(|| ConvexHull::of(&ball()));
 
 /// Points whose hull contains the unit ball: face centres and corners of an icosahedron, moved out until none of the hull's faces cuts it.
 fn ball() -> Vec<DVec3> {

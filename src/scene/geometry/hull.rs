@@ -52,6 +52,14 @@ impl ConvexHull {
             .unwrap_or_default()
     }
 
+    /// The hull scaled about the origin.
+    pub(crate) fn scaled(&self, by: f64) -> Self {
+        Self {
+            corners: self.corners.iter().map(|c| *c * by).collect(),
+            triangles: self.triangles.clone(),
+        }
+    }
+
     /// Returns true if a point lies inside or on the hull.
     pub(crate) fn holds(&self, point: DVec3) -> bool {
         self.faces()

@@ -4,3 +4,4 @@ pub(super) mod bounds;
 pub(super) mod exact_sum;
 pub(super) mod fitting;
 pub(super) mod hull;
+mod hull_sum;
