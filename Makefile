@@ -5,7 +5,10 @@ CARGO ?= cargo
 # Without it libwayland complains on every start of a graphics driver, over ssh and in containers.
 export XDG_RUNTIME_DIR ?= /tmp
 
-.PHONY: archive check check-all check-viewer check-web demo docs gallery python test test-long setup web
+# Lints have a target folder of their own, because cargo locks the one that it builds in.
+LINTS := $(or $(CARGO_TARGET_DIR),target)/lints
+
+.PHONY: archive check check-all check-viewer check-web demo docs gallery lints python setup test test-long tests-built web
 
 # Pictures, a table and a report in target/demo, from the built-in crank: no data to fetch.
 demo: setup
@@ -50,21 +53,30 @@ archive:
 # What one runs ten times an hour: nothing here draws.
 check:
 	$(CARGO) fmt --all --check
-	$(CARGO) clippy --workspace --all-targets -- -D warnings
+	CARGO_TARGET_DIR=$(LINTS) $(CARGO) clippy --workspace --all-targets -- -D warnings
 	$(CARGO) test --workspace --test architecture
 
-# In order of cost, so that the cheap complaints come first.
+# Lints and the build of the tests are chains of crates that keep one core busy each: two at a time take half as long. What either prints
+# comes when it has ended.
 test: setup
 	# One layout, so that a diff shows only what changed.
 	$(CARGO) fmt --all --check
+	$(MAKE) --jobs=2 --output-sync=target lints tests-built
+	# Everything else, on whatever adapter there is; a software one will do.
+	CARGO="$(CARGO)" scripts/test.sh
+
+# In order of cost, so that the cheap complaints come first.
+lints: export CARGO_TARGET_DIR := $(LINTS)
+lints:
 	# The lints of Cargo.toml, for tests and benches too.
 	$(CARGO) clippy --workspace --all-targets -- -D warnings
 	# The parts that hosts embed compile by themselves, and for a browser.
 	CARGO="$(CARGO)" scripts/check-features.sh
 	# Every public item says what it is, and every link in it leads somewhere.
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --workspace --no-deps
-	# Everything else, on whatever adapter there is; a software one will do.
-	CARGO="$(CARGO)" scripts/test.sh
+
+tests-built:
+	$(CARGO) test --workspace --no-run
 
 # The tests alone, but whole: random scenes by the thousand, all views, pictures of print sizes. It takes hours on two cores.
 test-long: setup

@@ -1,12 +1,16 @@
 """Meshes that tests share, and where real ones are."""
 
 import os
+import signal
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import cutaway
+
+# A shell starts processes in the background with interrupts ignored, and Python keeps that.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def data_folder() -> Path | None:
