@@ -2,8 +2,8 @@
 //!
 //! Drivers that run shaders on a CPU load a uniform anew in every round of a loop that reads it. On Mesa's llvmpipe this took half of the
 //! time of the pass that lists crossings. So a compute shader begins by copying into a private variable those members of its uniforms that
-//! are addressed by constants alone; compilers keep them in registers, and drop those that nothing reads. Arrays with a computed index are
-//! not copied, because the copy would need memory.
+//! are addressed by constants alone, and compilers keep them in registers. Arrays with a computed index are not copied, because the copy would
+//! need memory. Nor are members that nothing reads: compilers drop such copies, but only after they have compared each with every other.
 //!
 //! Some files of the library imply that a table has one row ([`ONE_ROW`]): there the row is copied, whatever the index.
 //!
@@ -63,6 +63,14 @@ enum Member {
     OneRow,
     /// An index into it is computed.
     Indexed,
+    /// Nothing reads it.
+    Unread,
+}
+
+impl Member {
+    fn is_held(self) -> bool {
+        matches!(self, Self::Constant | Self::OneRow)
+    }
 }
 
 /// The members of a uniform's struct; none if it is no struct.
@@ -80,24 +88,32 @@ fn members_of(
         let member = member.name.as_deref().unwrap_or_default();
         one_row.contains(&[variable, member])
     };
-    let mut found: Vec<Member> = (members.iter())
-        .map(|member| match has_one_row(member) {
-            true => Member::OneRow,
-            false => Member::Constant,
-        })
-        .collect();
+    let mut found = vec![Member::Unread; members.len()];
     for function in functions(module) {
         for (_, expression) in function.expressions.iter() {
-            let Expression::Access { base, .. } = *expression else {
-                continue;
-            };
-            // An index into the member itself, not into one of its rows.
-            let is_row = matches!(&function.expressions[base],
-                Expression::AccessIndex { base, .. } if is_mention(&function.expressions, *base, uniform));
-            if let Some(member) = member_behind(function, base, uniform)
-                && !(is_row && found[member] == Member::OneRow)
-            {
-                found[member] = Member::Indexed;
+            match *expression {
+                Expression::AccessIndex { base, index }
+                    if is_mention(&function.expressions, base, uniform) =>
+                {
+                    let index = index as usize;
+                    if found[index] == Member::Unread {
+                        found[index] = match has_one_row(&members[index]) {
+                            true => Member::OneRow,
+                            false => Member::Constant,
+                        };
+                    }
+                }
+                Expression::Access { base, .. } => {
+                    // An index into the member itself, not into one of its rows.
+                    let is_row = matches!(&function.expressions[base],
+                        Expression::AccessIndex { base, .. } if is_mention(&function.expressions, *base, uniform));
+                    if let Some(member) = member_behind(function, base, uniform)
+                        && !(is_row && found[member] == Member::OneRow)
+                    {
+                        found[member] = Member::Indexed;
+                    }
+                }
+                _ => {}
             }
         }
     }
@@ -185,7 +201,7 @@ fn held_type(
     };
     let mut held = Vec::new();
     for (mut field, member) in fields.into_iter().zip(members) {
-        if *member == Member::Indexed {
+        if !member.is_held() {
             continue;
         }
         if *member == Member::OneRow
@@ -219,7 +235,7 @@ fn held_type(
 /// Position of a held member among those that are held.
 fn place_of(members: &[Member], index: u32) -> u32 {
     let before = &members[..index as usize];
-    before.iter().filter(|m| **m != Member::Indexed).count() as u32
+    before.iter().filter(|m| m.is_held()).count() as u32
 }
 
 /// Replaces the mentions of a uniform that lead into held members alone.
@@ -236,7 +252,7 @@ fn read_copies(
     for mention in mentions {
         let is_left = expressions.iter().any(|(_, e)| match *e {
             Expression::AccessIndex { base, index } if base == mention => {
-                members[index as usize] == Member::Indexed
+                !members[index as usize].is_held()
             }
             // The struct as a whole.
             Expression::Load { pointer } => pointer == mention,
@@ -280,7 +296,7 @@ fn fill(
 ) {
     let mut start = Block::new();
     for (index, member) in members.iter().enumerate() {
-        if *member == Member::Indexed {
+        if !member.is_held() {
             continue;
         }
         let index = index as u32;
@@ -350,7 +366,10 @@ mod tests {
                 .count()
         };
         assert_eq!([stores(0), stores(1)], [2 + 1, 1]);
-        // An index that is computed, and a stage that is not compute.
+        // A member that nothing reads, an index that is computed, and a stage that is not compute.
+        let unread = TABLE.replace(" + cut_table.few[1].z", "");
+        let module = compose_text_with("planted", &unread, &[]).expect("valid");
+        assert_eq!(held(&module), ["count"]);
         let indexed = TABLE.replace("few[1]", "few[id.z % 2u]");
         let module = compose_text_with("planted", &indexed, &[]).expect("valid");
         assert_eq!(held(&module), ["count"]);
