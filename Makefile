@@ -7,6 +7,8 @@ export XDG_RUNTIME_DIR ?= /tmp
 
 # Lints have a target folder of their own, because cargo locks the one that it builds in.
 LINTS := $(or $(CARGO_TARGET_DIR),target)/lints
+# Make before 4.0, which macOS has, prints both at once.
+SYNCED := $(if $(filter output-sync,$(.FEATURES)),--output-sync=target)
 
 .PHONY: archive check check-all check-viewer check-web demo docs gallery lints python setup test test-long tests-built web
 
@@ -53,7 +55,7 @@ archive:
 # What one runs ten times an hour: nothing here draws.
 check:
 	$(CARGO) fmt --all --check
-	CARGO_TARGET_DIR=$(LINTS) $(CARGO) clippy --workspace --all-targets -- -D warnings
+	CARGO_TARGET_DIR="$(LINTS)" $(CARGO) clippy --workspace --all-targets -- -D warnings
 	$(CARGO) test --workspace --test architecture
 
 # Lints and the build of the tests are chains of crates that keep one core busy each: two at a time take half as long. What either prints
@@ -61,12 +63,12 @@ check:
 test: setup
 	# One layout, so that a diff shows only what changed.
 	$(CARGO) fmt --all --check
-	$(MAKE) --jobs=2 --output-sync=target lints tests-built
+	$(MAKE) --jobs=2 $(SYNCED) lints tests-built
 	# Everything else, on whatever adapter there is; a software one will do.
 	CARGO="$(CARGO)" scripts/test.sh
 
 # In order of cost, so that the cheap complaints come first.
-lints: export CARGO_TARGET_DIR := $(LINTS)
+lints: override export CARGO_TARGET_DIR := $(LINTS)
 lints:
 	# The lints of Cargo.toml, for tests and benches too.
 	$(CARGO) clippy --workspace --all-targets -- -D warnings

@@ -2,8 +2,9 @@
 //!
 //! Drivers that run shaders on a CPU load a uniform anew in every round of a loop that reads it. On Mesa's llvmpipe this took half of the
 //! time of the pass that lists crossings. So a compute shader begins by copying into a private variable those members of its uniforms that
-//! are addressed by constants alone, and compilers keep them in registers. Arrays with a computed index are not copied, because the copy would
-//! need memory. Nor are members that nothing reads: compilers drop such copies, but only after they have compared each with every other.
+//! are addressed by constants alone, and compilers keep them in registers. Arrays with a computed index are not copied, because the copy
+//! would need memory. Nor are members that nothing reads: compilers drop such copies, but only after they have compared each with every
+//! other.
 //!
 //! Some files of the library imply that a table has one row ([`ONE_ROW`]): there the row is copied, whatever the index.
 //!
@@ -63,7 +64,7 @@ enum Member {
     OneRow,
     /// An index into it is computed.
     Indexed,
-    /// Nothing reads it.
+    /// No function addresses it.
     Unread,
 }
 

@@ -5,9 +5,10 @@
 //! in the picture, in front of the extended hull's foremost surface, and can show walls only in part.
 //!
 //! All points between an interior part and the eye are inside: for a point p of the extended hull and a direction u of the cone, p + t u
-//! is in the hull of both ends for all t up to the sweep's length. That hull is the sum of the extended hull and the cone. Cost: the hull of
-//! the interior parts' vertices, kept while the camera alone moves, and a sum per opening. Cannot: open towards an eye inside the
-//! extended hull; there is no opening then.
+//! is in the hull of both ends for all t up to the sweep's length. That hull is the sum of the extended hull and the cone.
+//!
+//! Cost: the hull of the interior parts' vertices, kept while the camera alone moves, and a sum per opening. Cannot: open towards an eye
+//! inside the extended hull; there is no opening then.
 
 use std::sync::LazyLock;
 
@@ -279,7 +280,7 @@ fn meet(a: &ConvexHull, b: &ConvexHull) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::Camera;
+    use crate::scene::{Camera, Projection};
 
     fn cube(centre: DVec3, half: f64) -> Vec<DVec3> {
         let corner =
@@ -363,14 +364,27 @@ mod tests {
     #[test]
     fn all_between_the_hull_and_the_eye_is_in_the_opening() {
         let bounds = Bounds::from_points(cube(DVec3::ZERO, 4.0));
-        for bevel_deg in [0.0, 12.0] {
+        let [perspective, orthographic] = [
+            Camera::default().projection,
+            Projection::Orthographic { height: None },
+        ];
+        for (bevel_deg, projection) in [
+            (0.0, perspective),
+            (12.0, perspective),
+            (0.0, orthographic),
+            (12.0, orthographic),
+        ] {
             let breakaway = Breakaway {
                 bevel_deg,
                 ..Breakaway::default()
             };
             let solids = vec![cube(DVec3::new(1.0, 0.5, 0.0), 0.5)];
             let hulls = breakaway.hulls(solids, breakaway.distance_in(&bounds));
-            let view = Camera::default().view(|p| p, 1.0, bounds, [400, 300]);
+            let camera = Camera {
+                projection,
+                ..Camera::default()
+            };
+            let view = camera.view(|p| p, 1.0, bounds, [400, 300]);
             let cutter = breakaway.cutter(&hulls[0], &view, &bounds);
             let cutter = cutter.unwrap_or_else(|e| panic!("{e}"));
             let mesh = cutter
@@ -385,7 +399,11 @@ mod tests {
             };
             for corner in &hulls[0].corners {
                 for share in [0.0, 0.2, 0.5, 0.7] {
-                    let between = corner.lerp(view.eye, share);
+                    let to_eye = match view.orthographic {
+                        true => -view.forward * 20.0,
+                        false => view.eye - *corner,
+                    };
+                    let between = *corner + to_eye * share;
                     let is_out = !bounds_hold(&bounds, between);
                     assert!(is_out || is_within(between), "{between} of {corner}");
                 }
