@@ -62,7 +62,7 @@ fn undecided_by_slopes(scene: &Scene) -> (Question, Judged) {
     let view = model.prepared.view_of(&camera, [2400, 1800]);
     let question = Question::of_model(model, scene, view);
     let drawn = answer(&question, "raycast+mask@hardware");
-    assert_eq!(drawn.comparison.decided_wrong_px, 0);
+    assert_eq!(drawn.comparison.decided_wrong_px, 0, "{}", scene.name);
     assert!(
         question.compare(&drawn.layers).decided_wrong_px > 0,
         "the usual band is wide enough: nothing was tried"
