@@ -35,8 +35,7 @@ check-web: setup web
 	scripts/check-web.sh
 
 # The window on a virtual display, in the profile that tests are built in.
-check-viewer: setup
-	$(CARGO) test --workspace --no-run --quiet
+check-viewer: setup tests-built
 	scripts/check-viewer.sh $${CARGO_TARGET_DIR:-target}/debug/cutaway-viewer
 
 # What `make test` does not see: the Python module, the window, the page in a browser. In the profile of tests, so that little is built anew.

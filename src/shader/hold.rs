@@ -89,36 +89,43 @@ fn members_of(
         let member = member.name.as_deref().unwrap_or_default();
         one_row.contains(&[variable, member])
     };
-    let mut found = vec![Member::Unread; members.len()];
+    let read: Vec<u32> = read_members(module, uniform).collect();
+    let mut found: Vec<Member> = ((0..).zip(members))
+        .map(|(index, member)| match has_one_row(member) {
+            _ if !read.contains(&index) => Member::Unread,
+            true => Member::OneRow,
+            false => Member::Constant,
+        })
+        .collect();
     for function in functions(module) {
         for (_, expression) in function.expressions.iter() {
-            match *expression {
-                Expression::AccessIndex { base, index }
-                    if is_mention(&function.expressions, base, uniform) =>
-                {
-                    let index = index as usize;
-                    if found[index] == Member::Unread {
-                        found[index] = match has_one_row(&members[index]) {
-                            true => Member::OneRow,
-                            false => Member::Constant,
-                        };
-                    }
-                }
-                Expression::Access { base, .. } => {
-                    // An index into the member itself, not into one of its rows.
-                    let is_row = matches!(&function.expressions[base],
-                        Expression::AccessIndex { base, .. } if is_mention(&function.expressions, *base, uniform));
-                    if let Some(member) = member_behind(function, base, uniform)
-                        && !(is_row && found[member] == Member::OneRow)
-                    {
-                        found[member] = Member::Indexed;
-                    }
-                }
-                _ => {}
+            let Expression::Access { base, .. } = *expression else {
+                continue;
+            };
+            // An index into the member itself, not into one of its rows.
+            let is_row = matches!(&function.expressions[base],
+                Expression::AccessIndex { base, .. } if is_mention(&function.expressions, *base, uniform));
+            if let Some(member) = member_behind(function, base, uniform)
+                && !(is_row && found[member] == Member::OneRow)
+            {
+                found[member] = Member::Indexed;
             }
         }
     }
     found
+}
+
+/// Indices of the members of a uniform that functions address, each as often as they do.
+fn read_members(module: &Module, uniform: Handle<GlobalVariable>) -> impl Iterator<Item = u32> {
+    functions(module).flat_map(move |function| {
+        let expressions = &function.expressions;
+        expressions.iter().filter_map(move |(_, e)| match *e {
+            Expression::AccessIndex { base, index } if is_mention(expressions, base, uniform) => {
+                Some(index)
+            }
+            _ => None,
+        })
+    })
 }
 
 fn functions(module: &Module) -> impl Iterator<Item = &Function> {

@@ -171,7 +171,7 @@ impl Breakaway {
         let sweep = match ConvexHull::of(&cone) {
             Some(cone) => hull.sum(&cone),
             // Without a spread, all sides of the cone are the same.
-            None => ConvexHull::of(&both_ends(&hull.corners, cone[1])),
+            None => hull_of_sums(&[DVec3::ZERO, cone[1]], &hull.corners),
         };
         let Some(ConvexHull { corners, triangles }) = sweep else {
             return Ok(None);
@@ -188,10 +188,10 @@ impl Breakaway {
     }
 }
 
-/// Points, and the same points moved.
-fn both_ends(points: &[DVec3], by: DVec3) -> Vec<DVec3> {
-    let moved = points.iter().map(|p| *p + by);
-    points.iter().copied().chain(moved).collect()
+/// The sum of the hulls of points, one of which may have no volume.
+fn hull_of_sums(a: &[DVec3], b: &[DVec3]) -> Option<ConvexHull> {
+    let sums = a.iter().flat_map(|p| b.iter().map(move |q| *p + *q));
+    ConvexHull::of(&sums.collect::<Vec<_>>())
 }
 
 /// The significant corners, and the hull of a ball around each of them; `None` if that hull has no volume. The ball's radius is enlarged by
@@ -201,13 +201,13 @@ fn extended(points: &[DVec3], distance: f64) -> Option<(Vec<DVec3>, ConvexHull)>
     let aside = (LEFT_OUT * distance / size).clamp(1e-6, 1e-3);
     let radius = distance + aside * size;
     let ball = BALL.as_ref()?.scaled(radius);
-    if let Some(hull) = ConvexHull::roughly(points, aside) {
-        let extended = hull.sum(&ball)?;
-        return Some((hull.corners, extended));
-    }
-    let around = (points.iter()).flat_map(|p| ball.corners.iter().map(move |b| *p + *b));
-    let extended = ConvexHull::of(&around.collect::<Vec<_>>())?;
-    Some((points.to_vec(), extended))
+    Some(match ConvexHull::roughly(points, aside) {
+        Some(hull) => {
+            let extended = hull.sum(&ball)?;
+            (hull.corners, extended)
+        }
+        None => (points.to_vec(), hull_of_sums(points, &ball.corners)?),
+    })
 }
 
 static BALL: LazyLock<Option<ConvexHull>> = LazyLock::new(|| ConvexHull::of(&ball()));
@@ -290,10 +290,6 @@ mod tests {
             .collect()
     }
 
-    fn reach(hull: &ConvexHull, direction: DVec3) -> f64 {
-        hull.farthest(direction).dot(direction)
-    }
-
     /// Directions all around.
     fn directions() -> impl Iterator<Item = DVec3> {
         (0..500).map(|i| {
@@ -310,7 +306,7 @@ mod tests {
         let plain = ConvexHull::of(&points).unwrap_or_else(|| panic!("a hull"));
         let mut most = 0.0_f64;
         for direction in directions() {
-            let away = reach(&extended, direction) - reach(&plain, direction);
+            let away = extended.reach(direction) - plain.reach(direction);
             assert!(away >= 0.25, "{away} towards {direction}");
             most = most.max(away);
         }

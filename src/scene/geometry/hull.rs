@@ -52,6 +52,12 @@ impl ConvexHull {
             .unwrap_or_default()
     }
 
+    /// How far the hull reaches in a direction.
+    #[cfg(test)]
+    pub(crate) fn reach(&self, direction: DVec3) -> f64 {
+        self.farthest(direction).dot(direction)
+    }
+
     /// The hull scaled about the origin.
     pub(crate) fn scaled(&self, by: f64) -> Self {
         Self {
@@ -272,11 +278,11 @@ impl<'a> Hull<'a> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
 
     /// Quasi-random points in a cube.
-    fn scattered(count: u32) -> Vec<DVec3> {
+    pub(in crate::scene::geometry) fn scattered(count: u32) -> Vec<DVec3> {
         let step = DVec3::new(0.754_877_666, 0.569_840_291, 0.322_185_355);
         (1..=count)
             .map(|i| (step * f64::from(i)).fract() - 0.5)

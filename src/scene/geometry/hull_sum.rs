@@ -74,28 +74,17 @@ impl ConvexHull {
 
 #[cfg(test)]
 mod tests {
+    use super::super::hull::tests::scattered;
     use super::*;
-
-    /// Quasi-random points in a cube.
-    fn scattered(count: u32, seed: f64) -> Vec<DVec3> {
-        let step = DVec3::new(0.754_877_666, 0.569_840_291, 0.322_185_355);
-        (1..=count)
-            .map(|i| (step * (f64::from(i) + seed)).fract() - 0.5)
-            .collect()
-    }
 
     fn hull(points: &[DVec3]) -> ConvexHull {
         ConvexHull::of(points).unwrap_or_else(|| panic!("a hull"))
     }
 
-    fn reach(hull: &ConvexHull, direction: DVec3) -> f64 {
-        hull.farthest(direction).dot(direction)
-    }
-
     #[test]
     fn the_sum_reaches_as_far_as_both_together_in_every_direction() {
         let ball = |count| -> Vec<DVec3> {
-            let points = scattered(count, 0.5).into_iter();
+            let points = scattered(count).into_iter();
             points.map(|p| p.normalize_or(DVec3::X)).collect()
         };
         let cube: Vec<DVec3> = (0..8)
@@ -111,14 +100,14 @@ mod tests {
                 DVec3::new(cos, sin, 7.0)
             }))
             .collect();
-        let solids = [cube, turned, cone, ball(300), scattered(200, 0.1)].map(|p| hull(&p));
+        let solids = [cube, turned, cone, ball(300), scattered(200)].map(|p| hull(&p));
         for a in &solids {
             for b in &solids {
                 let sum = a.sum(b).unwrap_or_else(|| panic!("a sum"));
-                for direction in scattered(500, 0.3) {
+                for direction in scattered(500) {
                     let direction = direction.normalize_or(DVec3::X);
-                    let both = reach(a, direction) + reach(b, direction);
-                    let off = (reach(&sum, direction) - both).abs();
+                    let both = a.reach(direction) + b.reach(direction);
+                    let off = (sum.reach(direction) - both).abs();
                     assert!(off < 1e-12 * both.abs().max(1.0), "off by {off}");
                 }
             }
@@ -126,13 +115,13 @@ mod tests {
         let [small, large] = [0.5, 1.0].map(|by| solids[0].scaled(by));
         let twice = small.sum(&small).unwrap_or_else(|| panic!("a sum"));
         let longer = large.sum(&small).unwrap_or_else(|| panic!("a sum"));
-        let reaches = [&twice, &longer].map(|sum| reach(sum, DVec3::ONE));
+        let reaches = [&twice, &longer].map(|sum| sum.reach(DVec3::ONE));
         assert_eq!(reaches, [3.0, 4.5], "a sum that leaves no corner out");
     }
 
     #[test]
     fn few_pairs_of_corners_are_left() {
-        let points = scattered(600, 0.2).into_iter();
+        let points = scattered(600).into_iter();
         let a = hull(&points.map(|p| p.normalize_or(DVec3::X)).collect::<Vec<_>>());
         let corners = HullCorner::of(&a);
         let left = corners.iter().flat_map(|b| {

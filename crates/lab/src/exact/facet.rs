@@ -156,7 +156,7 @@ pub(super) fn slopes_matter(prepared: &Prepared, view: &View) -> bool {
     let parts = prepared.parts.par_iter();
     let of_parts = parts.map(|part| (&part.positions[..], &part.triangles[..]));
     let cutters = (prepared.surfaces.par_iter()).filter_map(|surface| surface.volume.as_ref());
-    let of_cutters = cutters.map(|cutter| (&cutter.positions[..], &cutter.mesh.triangles[..]));
+    let of_cutters = cutters.map(|cutter| (&cutter.positions[..], cutter.triangles()));
     (of_parts.chain(of_cutters)).any(|(positions, triangles)| {
         triangles.par_iter().any(|corners| {
             let points = corners.map(|i| positions[i as usize].as_dvec3());
