@@ -38,9 +38,9 @@ check-web: setup web
 check-viewer: setup tests-built
 	scripts/check-viewer.sh $${CARGO_TARGET_DIR:-target}/debug/cutaway-viewer
 
-# What `make test` does not see: the Python module, the window, the page in a browser. In the profile of tests, so that little is built anew.
+# What `make test` does not see: the Python module, the window, the page in a browser. In the profile of tests, so that little is built anew; the page in one that compiles soon.
 check-all: setup python check-viewer
-	CARGO="$(CARGO)" WEB_PROFILE=dev scripts/web.sh $${CARGO_TARGET_DIR:-target}/page-to-check
+	CARGO="$(CARGO)" WEB_PROFILE=page-check scripts/web.sh $${CARGO_TARGET_DIR:-target}/page-to-check
 	scripts/check-web.sh $${CARGO_TARGET_DIR:-target}/page-to-check $${CARGO_TARGET_DIR:-target}/debug/cutaway-tested
 
 # The Python module: its wheel in target/python/wheels, installed into a fresh environment and tested there. See scripts/python.sh.

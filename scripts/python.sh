@@ -19,12 +19,6 @@ out=$CARGO_TARGET_DIR/python
     exit 2
 }
 
-# The same versions of what both are built of as the library has; cargo adds those that only the module has.
-cp Cargo.lock python/Cargo.lock
-
-$cargo fmt --manifest-path python/Cargo.toml --check
-PYO3_PYTHON=$python $cargo clippy --quiet --manifest-path python/Cargo.toml -- -D warnings
-
 tools=$out/tools
 [ -x "$tools/bin/maturin" ] || {
     "$python" -m venv "$tools"

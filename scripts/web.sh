@@ -1,7 +1,7 @@
 #!/bin/sh
 # Builds the page: static files in target/page (or $1), for any static host.
 #
-# WEB_PROFILE=dev builds it in a third of the time, four times as large: to see whether it works, not to be served.
+# WEB_PROFILE=page-check builds it in the least time, several times as large: to see whether it works, not to be served.
 set -eu
 
 cargo=${CARGO:-cargo}
@@ -18,20 +18,12 @@ need() {
 }
 rustup target add wasm32-unknown-unknown >/dev/null 2>&1 || need "the target wasm32-unknown-unknown" "rustup target add wasm32-unknown-unknown"
 
-# The tool that makes the module is of the version that the program is linked with.
-version=$(sed -n '/^name = "wasm-bindgen"$/{n;s/version = "\(.*\)"/\1/p}' Cargo.lock)
-tools=$target/web-tools
-if [ "$("$tools/bin/wasm-bindgen" --version 2>/dev/null)" != "wasm-bindgen $version" ]; then
-    $cargo install --quiet --root "$tools" --version "$version" wasm-bindgen-cli
-fi
-
 # Every browser that has WebGPU has SIMD; without it what draws glyphs brings a substitute along that is 1.4 MB larger.
 RUSTFLAGS="-C target-feature=+simd128" $cargo rustc --quiet --package cutaway-viewer --lib --crate-type cdylib --profile "$profile" --target wasm32-unknown-unknown
 mkdir -p "$out"
-# Cargo has a name of its own for the folder of this one.
-folder=$profile
-[ "$profile" != dev ] || folder=debug
-"$tools/bin/wasm-bindgen" --target web --remove-name-section --out-dir "$out" "$target/wasm32-unknown-unknown/$folder/cutaway_viewer.wasm"
+# The other package leaves dependencies as the tests have them.
+$cargo build --quiet --package cutaway-bindgen --package workspace-hack
+"$target/debug/cutaway-bindgen" "$target/wasm32-unknown-unknown/$profile/cutaway_viewer.wasm" "$out"
 program=$out/cutaway_viewer_bg.wasm
 cp crates/viewer/web/index.html crates/viewer/web/judge.js "$out"
 cp docs/images/crank.png "$out/still.png"

@@ -1,10 +1,10 @@
 //! `cutaway._native`: the Rust part of the Python module.
 //!
-//! Python holds a [`Scene`](scene::Scene): a document, the files read for it, and its last drawn model. Every call takes and returns
+//! Python holds a `Scene`: a document, the files read for it, and its last drawn model. Every call takes and returns
 //! plain values and arrays. Argument names, warnings and result classes with methods are defined in the Python package next to this
 //! crate.
 //!
-//! No call can crash the interpreter. Long work runs without the interpreter's lock ([`door`]), and a panic becomes a Python error. Calls
+//! No call can crash the interpreter. Long work runs without the interpreter's lock (`door`), and a panic becomes a Python error. Calls
 //! in a process forked from one that used the library return an error, because threads and devices do not survive a fork.
 //!
 //! Cost: arrays are copied once in, and once out.

@@ -1,0 +1,3 @@
+//! Empty: it is here because the features of procedural macros are those of build dependencies.
+
+fn main() {}

@@ -1,0 +1,1 @@
+//! An empty crate whose dependencies enable features: see its `Cargo.toml`.
