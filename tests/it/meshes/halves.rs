@@ -94,28 +94,28 @@ fn cuts(bounds: &Bounds) -> Vec<(&'static str, Vec<Vec<SlicePlane>>)> {
     ]
 }
 
-/// How often each edge is passed from its lesser vertex to the greater, less the other way, and how often at all.
-fn uses(mesh: &Mesh) -> BTreeMap<[u32; 2], (i32, usize)> {
-    let mut uses = BTreeMap::new();
-    for [a, b, c] in &mesh.triangles {
-        for [from, to] in [[a, b], [b, c], [c, a]] {
-            let (net, all): &mut (i32, usize) =
-                uses.entry([*from.min(to), *from.max(to)]).or_default();
-            *net += if from < to { 1 } else { -1 };
-            *all += 1;
-        }
-    }
-    uses
+/// For each edge how often it is passed from its lesser vertex to the greater, less the other way, and how often at all.
+fn uses(mesh: &Mesh) -> Vec<(i32, usize)> {
+    let directed = |[a, b, c]: &[u32; 3]| [[*a, *b], [*b, *c], [*c, *a]];
+    let ordered = |[from, to]: [u32; 2]| ([from.min(to), from.max(to)], from < to);
+    let mut edges: Vec<_> = (mesh.triangles.iter())
+        .flat_map(directed)
+        .map(ordered)
+        .collect();
+    edges.sort_unstable();
+    let edges = edges.chunk_by(|(a, _), (b, _)| a == b);
+    let net = |edge: &[([u32; 2], bool)]| edge.iter().map(|(_, up)| if *up { 1 } else { -1 }).sum();
+    edges.map(|edge| (net(edge), edge.len())).collect()
 }
 
 /// Whether every directed edge has its opposite.
 fn is_oriented(mesh: &Mesh) -> bool {
-    uses(mesh).values().all(|(net, _)| *net == 0)
+    uses(mesh).iter().all(|(net, _)| *net == 0)
 }
 
 /// Whether every edge has an even number of faces.
 fn is_closed(mesh: &Mesh) -> bool {
-    uses(mesh).values().all(|(_, all)| all % 2 == 0)
+    uses(mesh).iter().all(|(_, all)| all % 2 == 0)
 }
 
 /// What an STL file makes of a mesh: vertices are their f32s, and triangles have three of them.
@@ -178,18 +178,19 @@ fn lost(mesh: &Mesh, halves: &Halves) -> f64 {
 /// Everything that must hold of the halves of a mesh.
 fn defect(mesh: &Mesh, halves: &Halves) -> Option<String> {
     let Halves { kept, removed, .. } = halves;
+    let (must_be_oriented, must_be_closed) = (is_oriented(mesh), is_closed(mesh));
     for (name, half) in [("kept", kept), ("removed", removed)] {
         let flat = |[a, b, c]: &[u32; 3]| a == b || b == c || c == a;
         if half.mesh.triangles.iter().any(flat) {
             return Some(format!("{name}: a corner twice"));
         }
-        if is_oriented(mesh) && !is_oriented(&half.mesh) {
+        if must_be_oriented && !is_oriented(&half.mesh) {
             return Some(format!("{name}: edges without their opposites"));
         }
-        if is_closed(mesh) && !is_closed(&half.mesh) {
+        if must_be_closed && !is_closed(&half.mesh) {
             return Some(format!("{name}: open edges"));
         }
-        if is_oriented(mesh) && !is_oriented(&in_f32(&half.mesh)) {
+        if must_be_oriented && !is_oriented(&in_f32(&half.mesh)) {
             return Some(format!("{name}: open after rounding"));
         }
         let caps: Vec<_> = half.caps.iter().map(|c| c.triangles.clone()).collect();
@@ -202,7 +203,7 @@ fn defect(mesh: &Mesh, halves: &Halves) -> Option<String> {
     let size = mesh.bounds().size();
     let room = size.length().powi(3);
     let lost = lost(mesh, halves);
-    if is_oriented(mesh) && lost.abs() > VOLUME * room {
+    if must_be_oriented && lost.abs() > VOLUME * room {
         return Some(format!(
             "volumes are {lost:e} more than the whole of {}",
             mesh.volume()

@@ -14,15 +14,16 @@ fn is_watertight_elsewhere(mesh: &Mesh) -> bool {
         at.to_array().map(|c| c.round() as i64)
     };
     let places: Vec<[i64; 3]> = mesh.positions.iter().map(place).collect();
-    let mut uses: BTreeMap<[[i64; 3]; 2], usize> = BTreeMap::new();
-    for [a, b, c] in &mesh.triangles {
-        for [from, to] in [[a, b], [b, c], [c, a]] {
-            let mut ends = [places[*from as usize], places[*to as usize]];
+    let edges = |[a, b, c]: &[u32; 3]| {
+        [[*a, *b], [*b, *c], [*c, *a]].map(|edge| {
+            let mut ends = edge.map(|end| places[end as usize]);
             ends.sort_unstable();
-            *uses.entry(ends).or_default() += 1;
-        }
-    }
-    uses.values().all(|count| *count == 2)
+            ends
+        })
+    };
+    let mut edges: Vec<_> = mesh.triangles.iter().flat_map(edges).collect();
+    edges.sort_unstable();
+    edges.chunk_by(|a, b| a == b).all(|uses| uses.len() == 2)
 }
 
 /// The shortest edge, as a share of the diagonal.
