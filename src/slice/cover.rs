@@ -30,7 +30,7 @@ pub(super) struct Cover {
 
 /// Covers the region that loops wind around. Points must be finite.
 pub(super) fn cover(points: &[DVec2], loops: &[Vec<u32>]) -> Cover {
-    let mut outline = FillRegion::of(points, loops);
+    let mut outline = FillRegion::of(points, loops, &[]);
     let drawn = preclassified(&mut outline);
     let mut cover = Cover {
         stand_ins: outline.stand_ins(),

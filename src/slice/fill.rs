@@ -1,4 +1,4 @@
-//! The region that loops enclose, in triangles.
+//! The region that curves enclose, in triangles.
 //!
 //! The loops are drawn into a triangulation as edges that record how often, and in which direction, they are passed; crossing edges are cut
 //! until none cross (see [`super::outline`]). After many rounds, or too many cuts, loops that still cross are left out
@@ -10,6 +10,7 @@
 //! Cost: n log n in the points for loops that do not cross; every crossing adds a point, and crossings add a few rounds.
 
 use glam::DVec2;
+use rayon::prelude::*;
 use spade::Triangulation;
 
 use super::outline::{ConstrainedMesh, Edge, FillRegion, LoopTriangulation, is_first};
@@ -28,20 +29,43 @@ pub(super) struct Filled {
     pub(super) triangles: Vec<[u32; 3]>,
     /// Edges with the region only on their left.
     pub(super) boundary: Vec<[u32; 2]>,
-    /// Loops left out of the result.
+    /// Edges of `boundary` that are on no curve.
+    pub(super) bridges: Vec<[u32; 2]>,
+    /// Curves left out of the result; open ones are counted after the closed.
     pub(super) left_out: Vec<usize>,
 }
 
 /// Fills the faces whose winding number satisfies `holds`. Points must be finite.
 pub(super) fn fill(points: &[DVec2], loops: &[Vec<u32>], holds: impl Fn(i32) -> bool) -> Filled {
-    let mut outline = FillRegion::of(points, loops);
-    match preclassified(&mut outline) {
-        Some(drawn) => outline.filled(&drawn.mesh, holds),
-        None => Filled {
-            left_out: outline.left_out.into_iter().collect(),
-            ..Filled::default()
-        },
+    let mut outline = FillRegion::of(points, loops, &[]);
+    let Some(drawn) = preclassified(&mut outline) else {
+        return outline.unfilled();
+    };
+    let windings = windings(&drawn.mesh);
+    outline.filled(&drawn.mesh, |face| holds(windings[face]))
+}
+
+/// Fills the faces that lie inside by their centroids, in a triangulation of closed and of open curves. Points must be finite.
+///
+/// Where curves end, the region is bounded by edges of the triangulation, the *bridges*; it does not leave the convex hull of the curves.
+pub(super) fn fill_between(
+    points: &[DVec2],
+    loops: &[Vec<u32>],
+    open: &[Vec<u32>],
+    is_inside: impl Fn(DVec2) -> bool + Sync,
+) -> Filled {
+    let mut outline = FillRegion::of(points, loops, open);
+    let Some(drawn) = preclassified(&mut outline) else {
+        return outline.unfilled();
+    };
+    let mut centres = vec![None; drawn.mesh.num_all_faces()];
+    for face in drawn.mesh.inner_faces() {
+        let centre = face.center();
+        centres[face.fix().index()] = Some(outline.unit * DVec2::new(centre.x, centre.y));
     }
+    let inside = centres.into_par_iter();
+    let inside: Vec<bool> = inside.map(|at| at.is_some_and(&is_inside)).collect();
+    outline.filled(&drawn.mesh, |face| inside[face])
 }
 
 /// Draws an outline, whose edges are cut until none cross; loops that still cross are left out. None if nothing is left.
@@ -97,23 +121,31 @@ pub(super) fn windings(mesh: &LoopTriangulation) -> Vec<i32> {
 }
 
 impl FillRegion {
-    /// Selects the faces that satisfy the rule.
-    fn filled(self, mesh: &LoopTriangulation, holds: impl Fn(i32) -> bool) -> Filled {
-        let windings = windings(mesh);
-        let is_in = |face: usize| holds(windings[face]);
-        let mut filled = Filled {
+    /// The region without a triangulation.
+    fn unfilled(self) -> Filled {
+        Filled {
             added: self.added,
             left_out: self.left_out.into_iter().collect(),
             ..Filled::default()
-        };
+        }
+    }
+
+    /// Selects faces by their indices.
+    fn filled(self, mesh: &LoopTriangulation, is_in: impl Fn(usize) -> bool) -> Filled {
+        let mut filled = self.unfilled();
         for face in mesh.inner_faces().filter(|f| is_in(f.fix().index())) {
-            filled
-                .triangles
-                .push(face.vertices().map(|v| v.data().number));
-            let edges = face.adjacent_edges().into_iter();
-            let outline = edges.filter(|e| !is_in(e.rev().face().fix().index()));
-            let numbers = outline.map(|e| e.vertices().map(|v| v.data().number));
-            filled.boundary.extend(numbers);
+            let numbers = face.vertices().map(|v| v.data().number);
+            filled.triangles.push(numbers);
+            for edge in face.adjacent_edges() {
+                if is_in(edge.rev().face().fix().index()) {
+                    continue;
+                }
+                let numbers = edge.vertices().map(|v| v.data().number);
+                filled.boundary.push(numbers);
+                if !edge.is_constraint_edge() {
+                    filled.bridges.push(numbers);
+                }
+            }
         }
         filled
     }

@@ -62,7 +62,7 @@ pub(super) struct EdgeSegment {
 /// Region to fill, scaled into the range of the triangulation by a power of two.
 pub(super) struct FillRegion {
     /// Input units per internal unit.
-    unit: f64,
+    pub(super) unit: f64,
     /// Vertex positions, no two equal, each with its point index.
     vertices: Vec<(DVec2, u32)>,
     vertex_at: HashMap<[u64; 2], u32>,
@@ -88,8 +88,10 @@ pub(super) struct ConstrainedMesh {
 }
 
 impl FillRegion {
-    pub(super) fn of(points: &[DVec2], loops: &[Vec<u32>]) -> Self {
-        let used = || loops.iter().flatten().map(|i| points[*i as usize]);
+    /// The region of closed curves, and of open ones, which are counted after the closed.
+    pub(super) fn of(points: &[DVec2], loops: &[Vec<u32>], open: &[Vec<u32>]) -> Self {
+        let curves = || loops.iter().chain(open);
+        let used = || curves().flatten().map(|i| points[*i as usize]);
         let largest = used().fold(0.0_f64, |m, p| m.max(p.abs().max_element()));
         let unit = power_of_two_near(largest);
         let mut outline = Self {
@@ -104,14 +106,17 @@ impl FillRegion {
             left_out: BTreeSet::new(),
         };
         let mut edges = 0..;
-        for (of_loop, one) in loops.iter().enumerate() {
+        for (of_loop, one) in curves().enumerate() {
             let places = one.iter().map(|i| (points[*i as usize] / unit, *i));
             let vertices: Vec<u32> = places.map(|(at, i)| outline.vertex(at, i)).collect();
             for (i, vertex) in one.iter().zip(&vertices) {
                 outline.vertex_of[*i as usize] = Some(*vertex);
             }
+            let is_open = of_loop >= loops.len();
             let next = vertices.iter().cycle().skip(1);
-            for ((from, to), edge) in vertices.iter().zip(next).zip(&mut edges) {
+            let steps = vertices.iter().zip(next);
+            let steps = steps.take(vertices.len() - usize::from(is_open));
+            for ((from, to), edge) in steps.zip(&mut edges) {
                 outline.add(EdgeSegment {
                     from: *from,
                     to: *to,

@@ -2,6 +2,8 @@
 
 use glam::{DVec2, DVec3};
 
+use super::SlicePlane;
+
 /// The section of a mesh by a plane. Points are coordinates along `Û` and `V̂` relative to the plane's `zero`, in input units.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Section {
@@ -15,6 +17,10 @@ pub struct Section {
     pub triangles: Vec<[u32; 3]>,
     /// Outline of the region: edges of `triangles` with the region only on their left, in no particular order.
     pub boundary: Vec<[u32; 2]>,
+    /// Straight lines of `boundary` that complete the outline where the mesh is open ([`Slicer::section_by_winding`]).
+    ///
+    /// [`Slicer::section_by_winding`]: super::Slicer::section_by_winding
+    pub bridges: Vec<[u32; 2]>,
     /// Defects of the mesh that make the section unreliable.
     pub defects: Vec<SectionDefect>,
 }
@@ -50,6 +56,19 @@ pub enum SectionDefect {
         /// Number of curves.
         chains: usize,
         /// An end of one of the curves.
+        at: DVec3,
+    },
+    /// The mesh is open at the plane, and its winding numbers decide what is inside.
+    #[error(
+        "the mesh is open: straight lines complete the outline where its winding number passes a half ({lines} of length {length:.4} in \
+        all, one ends at {at})"
+    )]
+    Bridged {
+        /// Number of lines.
+        lines: usize,
+        /// Their length in all.
+        length: f64,
+        /// An end of one of the lines.
         at: DVec3,
     },
     /// Neighbouring triangles with opposite orientation: the *nonzero* rule has to guess which of them are wrong.
@@ -89,6 +108,9 @@ impl SectionDefect {
             Self::Open { .. } => {
                 "close the mesh there (`cutaway inspect` says where it is open), or move the section"
             }
+            Self::Bridged { .. } => {
+                "look at the lines; `--close-holes` closes the mesh where that is unambiguous"
+            }
             Self::Turned { .. } => "turn the faces, or fill by even-odd, which ignores orientation",
             Self::Crossing { .. } | Self::LeftOut { .. } => {
                 "remove the mesh's self-intersections, or move the section"
@@ -98,7 +120,10 @@ impl SectionDefect {
 
     /// Returns true if some of the solid may lack a cap, or have one where it should not.
     pub fn loses_cap(&self) -> bool {
-        !matches!(self, Self::Turned { .. } | Self::Crossing { .. })
+        !matches!(
+            self,
+            Self::Bridged { .. } | Self::Turned { .. } | Self::Crossing { .. }
+        )
     }
 }
 
@@ -117,6 +142,18 @@ impl Section {
     pub fn area(&self) -> f64 {
         let edges = self.boundary.iter();
         self.shoelace(edges.map(|e| e.map(|i| self.points[i as usize])))
+    }
+
+    /// What bridges make of the section, if there are any.
+    pub(super) fn bridged(&self, plane: &SlicePlane) -> Option<SectionDefect> {
+        let ends = |line: &[u32; 2]| line.map(|i| self.points[i as usize]);
+        let [at, _] = self.bridges.first().map(ends)?;
+        let lengths = self.bridges.iter().map(ends).map(|[a, b]| a.distance(b));
+        Some(SectionDefect::Bridged {
+            lines: self.bridges.len(),
+            length: sum(lengths),
+            at: plane.point(at),
+        })
     }
 
     /// Length of the region's outline, in units. Coincident loops that cancel have none.

@@ -1,11 +1,12 @@
 //! A mesh prepared for repeated cuts, and a single cut of it.
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
+use super::by_winding::{self, WindingNumbers};
 use super::fill::{Filled, fill};
 use super::in_world::in_world;
 use super::loops::{Curves, CutSegment, join};
@@ -26,6 +27,8 @@ pub struct Slicer {
     /// Space in which faces are found to lie in a plane, with the tolerance for their vertices; without it only vertices exactly on a plane
     /// count as on it.
     scene: Option<(SceneSpace, f64)>,
+    /// Made when a section has open curves that winding numbers are to close.
+    winding: OnceLock<WindingNumbers>,
 }
 
 /// Elements that a plane crosses, and the faces that lie in the plane.
@@ -55,6 +58,7 @@ impl Slicer {
             triangles: usable,
             positions,
             scene: None,
+            winding: OnceLock::new(),
         }
     }
 
@@ -93,6 +97,22 @@ impl Slicer {
             }
             cut.pieces()
         })
+    }
+
+    /// The section by a plane, even where the mesh is open: there the region is where the mesh's generalised winding number (Jacobson,
+    /// Kavan, Sorkine-Hornung 2013), rounded, is inside by the fill rule. Its outline is in `loops`, and [`Section::bridges`] are the
+    /// straight lines that complete it where curves end. If all curves close, the section is that of [`Slicer::section_by`].
+    ///
+    /// The region does not leave the convex hull of the curves. Faces that are turned inside out count against the others, so this is
+    /// for meshes that are open, not for those whose faces disagree.
+    pub fn section_by_winding(&self, plane: &SlicePlane, rule: Fill) -> Section {
+        let section = self.section_by(plane, rule);
+        if section.open.is_empty() {
+            return section;
+        }
+        let numbers =
+            (self.winding).get_or_init(|| WindingNumbers::of(&self.positions, &self.triangles));
+        by_winding::closed(section, plane, |at| rule.holds(numbers.rounded(at)))
     }
 
     /// Cap by a plane: the section minus the faces that lie in it with the solid above them, because there the face itself
@@ -139,6 +159,7 @@ impl Slicer {
             triangles,
             boundary,
             left_out,
+            ..
         } = fill(&points, &loops, |winding| rule.holds(winding));
 
         let at = |p: DVec2| plane.point(p);

@@ -61,12 +61,16 @@ impl Trim {
             triangles,
             boundary,
             left_out,
+            ..
         } = fill(&all, &loops, |sum| sum >= least);
         all.extend(added);
-        let open = self.open(section, &mut all);
+        let open = self.left_of(section, section.open.iter().map(Vec::as_slice), &mut all);
+        let bridges = section.bridges.iter().map(<[u32; 2]>::as_slice);
+        let bridges = self.left_of(section, bridges, &mut all).into_iter();
         let lost: Vec<&[u32]> = left_out.iter().map(|i| loops[*i].as_slice()).collect();
         let mut trimmed = Section {
             defects: defects(section, plane, &all, &open, &lost),
+            bridges: bridges.map(|ends| [ends[0], ends[1]]).collect(),
             loops: (chained(&boundary, &all).into_iter())
                 .map(|points| Loop { points })
                 .collect(),
@@ -75,14 +79,20 @@ impl Trim {
             triangles,
             boundary,
         };
+        trimmed.defects.extend(trimmed.bridged(plane));
         compact(&mut trimmed);
         Some(trimmed)
     }
 
-    /// The remaining parts of the open curves.
-    fn open(&self, section: &Section, points: &mut Vec<DVec2>) -> Vec<Vec<u32>> {
+    /// The remaining parts of open curves.
+    fn left_of<'a>(
+        &self,
+        section: &Section,
+        curves: impl Iterator<Item = &'a [u32]>,
+        points: &mut Vec<DVec2>,
+    ) -> Vec<Vec<u32>> {
         let mut left = Vec::new();
-        for chain in &section.open {
+        for chain in curves {
             let mut run: Vec<DVec2> = Vec::new();
             let mut end = |run: &mut Vec<DVec2>| {
                 let run = std::mem::take(run);
@@ -142,6 +152,7 @@ fn defects(
             chains: open.len(),
             at: at(chain),
         }),
+        SectionDefect::Bridged { .. } => None,
         other => Some(other.clone()),
     });
     let lost = lost.first().map(|one| SectionDefect::LeftOut {
@@ -153,7 +164,7 @@ fn defects(
 
 /// Joins directed edges, of which as many end in each point as begin there, into closed curves. Curves that touch are separated, so that no
 /// two have the same area on their left.
-fn chained(edges: &[[u32; 2]], points: &[DVec2]) -> Vec<Vec<u32>> {
+pub(super) fn chained(edges: &[[u32; 2]], points: &[DVec2]) -> Vec<Vec<u32>> {
     let mut leaving: BTreeMap<u32, Vec<usize>> = BTreeMap::new();
     for (edge, [from, _]) in edges.iter().enumerate() {
         leaving.entry(*from).or_default().push(edge);
@@ -203,6 +214,7 @@ fn compact(section: &mut Section) {
         .flat_map(|l| &mut l.points)
         .for_each(&mut renumber);
     section.open.iter_mut().flatten().for_each(&mut renumber);
+    section.bridges.iter_mut().flatten().for_each(&mut renumber);
     section
         .triangles
         .iter_mut()

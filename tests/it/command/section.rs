@@ -325,6 +325,29 @@ fn an_outline_that_does_not_close_is_told_and_fails() {
     assert!(said.contains("help:"), "{said}");
     let drawing = fs::read_to_string(folder.path("open.svg")).unwrap();
     assert!(drawing.contains("class=\"open\""), "{drawing}");
+    // Winding numbers complete it by a line.
+    let ran = folder
+        .run("section open.obj --section z=50% --close winding --json - -o closed.svg")
+        .exits(0);
+    let closed = ran.json();
+    check(&closed);
+    let part = &closed["sections"][0]["parts"][0];
+    let whole_area = {
+        let ran = folder
+            .run("section whole.obj --section z=50% --json -")
+            .exits(0);
+        number(&ran.json()["sections"][0]["area"])
+    };
+    assert!(near(number(&part["area"]), whole_area), "{part}");
+    assert_eq!(part["closed"], true, "{part}");
+    assert_eq!(part["bridges"].as_array().unwrap().len(), 1, "{part}");
+    let said = ran.stderr;
+    assert!(
+        said.contains("note: open by z=50%: the mesh is open: straight lines complete"),
+        "{said}"
+    );
+    let drawing = fs::read_to_string(folder.path("closed.svg")).unwrap();
+    assert!(drawing.contains("closed by winding numbers"), "{drawing}");
     // The controls: the same mesh where it is whole, and cut where the hole is not.
     folder.run("section whole.obj --section z=50%").exits(0);
     folder.write("top.obj", whole.replace("f 5 6 7 8\n", ""));

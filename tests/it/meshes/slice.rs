@@ -1,6 +1,7 @@
 //! Promise: the section of a solid by a plane is the region that geometry says, however the plane meets vertices, edges and
 //! faces; what is open, crosses or cannot be computed with is reported; and nothing panics.
 
+mod by_winding;
 mod closed_forms;
 use crate::common::data;
 mod hostile;

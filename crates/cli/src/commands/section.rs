@@ -6,7 +6,7 @@
 use std::cmp::Reverse;
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use rayon::prelude::*;
 
 mod planes;
@@ -47,7 +47,7 @@ Examples:
 
 A section is the plane's cap, trimmed by the other planes of its cut and by the other cuts. A drawing shows the section as seen from
 the removed side, as `cutaway render` does. Areas and lengths are in units of the model. Exit code 1 if an outline does not close
-because the mesh is open there: the area then counts only outlines that close.";
+because the mesh is open there: the area then counts only outlines that close, unless --close winding completes the others.";
 
 /// Options of `section`.
 #[derive(Args)]
@@ -72,6 +72,9 @@ pub(crate) struct SectionCommandArgs {
     /// Fill rule for each mesh's interior: even-odd or nonzero [default: the scene's rule, or even-odd]
     #[arg(long, value_name = "RULE", value_parser = crate::input::args::parse_fill)]
     fill: Option<Fill>,
+    /// What closes outlines where the mesh is open [default: nothing, they bound no area]
+    #[arg(long, value_enum, value_name = "BY")]
+    close: Option<CloseBy>,
     /// Slice the whole model by every plane, ignoring the rest of its cut and all other cuts
     #[arg(long)]
     whole: bool,
@@ -86,6 +89,13 @@ pub(crate) struct SectionCommandArgs {
     unit: Option<LengthUnit>,
     #[command(flatten)]
     console: ConsoleArgs,
+}
+
+/// What closes outlines where the mesh is open.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum CloseBy {
+    /// The mesh's winding number: the area is where it rounds to inside, and straight lines complete its outline, which are reported
+    Winding,
 }
 
 /// Runs `section`.
@@ -108,7 +118,7 @@ pub(crate) fn run(args: &SectionCommandArgs) -> Result<Verdict> {
     doubts(scene).iter().for_each(|d| console.print(d));
 
     console.step("slicing");
-    let report = sliced(scene, &planes, args.whole);
+    let report = sliced(scene, &planes, args);
     console.step("writing");
     let mut results = Results::default();
     if let Some(output) = &outputs.drawing {
@@ -178,7 +188,7 @@ fn has_extension(output: &Output, wanted: &str) -> bool {
     extension.is_some_and(|e| e.eq_ignore_ascii_case(wanted))
 }
 
-fn sliced(scene: &Scene, planes: &[CutPlane], is_whole: bool) -> SectionReport {
+fn sliced(scene: &Scene, planes: &[CutPlane], args: &SectionCommandArgs) -> SectionReport {
     let mut parts: Vec<(usize, &Part)> = scene.parts.iter().enumerate().collect();
     // Where solids share a point, the part that is shown is drawn last, over the others; of equal parts, the first is shown.
     parts.sort_by_cached_key(|(index, p)| {
@@ -200,11 +210,14 @@ fn sliced(scene: &Scene, planes: &[CutPlane], is_whole: bool) -> SectionReport {
                     return PartSection::Missed;
                 }
                 let at = p.for_part(scene, part).seen_from(bounds.centre());
-                let whole = slicer.section_by(&at, part.fill);
+                let whole = match args.close {
+                    Some(CloseBy::Winding) => slicer.section_by_winding(&at, part.fill),
+                    None => slicer.section_by(&at, part.fill),
+                };
                 if is_nothing(&whole) {
                     return PartSection::Missed;
                 }
-                let all = is_whole.then(Trim::default);
+                let all = args.whole.then(Trim::default);
                 let size = bounds.radius();
                 let trim = all.or_else(|| p.trim((scene, planes), part, &at, size));
                 let Some(trim) = trim else {

@@ -80,6 +80,13 @@ pub(crate) const OPEN_EDGES: &str = "open-edges";
 #[doc(hidden)]
 pub const MESH_FORMATS: [&str; 6] = ["obj", "stl", "ply", "glb", "gltf", "3mf"];
 
+/// Formats of CAD programs that hold surfaces instead of triangles.
+const SURFACE_FORMATS: [&str; 4] = ["step", "stp", "iges", "igs"];
+
+/// How to make triangles of surfaces.
+const SURFACE_HELP: &str = "convert it to a mesh: `gmsh part.step -2 -o part.stl`, or FreeCADCmd, or in Python `import cascadio; \
+    cascadio.step_to_glb(\"part.step\", \"part.glb\")` (pip install cascadio), which keeps names and colours of STEP files";
+
 /// Formats that are also read if they are gzipped.
 const GZIPPED: [&str; 3] = ["obj", "stl", "ply"];
 
@@ -218,7 +225,11 @@ fn format_and_stem(path: &Path) -> Result<(String, String)> {
         } else {
             format!("`.{format}` is not a supported mesh format")
         };
-        return Err(Error::file(path, what, did_you_mean(format, MESH_FORMATS)));
+        let help = match SURFACE_FORMATS.contains(&format) {
+            true => SURFACE_HELP.to_owned(),
+            false => did_you_mean(format, MESH_FORMATS),
+        };
+        return Err(Error::file(path, what, help));
     }
     let stem_length = unpacked.len() - format.len() - 1;
     let stem = name.get(..stem_length).unwrap_or(&name).to_owned();
@@ -235,7 +246,12 @@ mod tests {
         let of = |name: &str| format_and_stem(Path::new(name));
         assert_eq!(of("a/b.c.STL").unwrap(), ("stl".into(), "b.c".into()));
         assert_eq!(of("x.ply.gz").unwrap(), ("ply".into(), "x".into()));
-        for wrong in ["a.step", "a", "a.glb.gz", "a.gz"] {
+        for surfaces in ["a.step", "a.STP", "a.igs"] {
+            let text = of(surfaces).unwrap_err().to_string();
+            assert!(text.contains("help: convert it to a mesh"), "{text}");
+            assert!(!text.contains("did you mean"), "{text}");
+        }
+        for wrong in ["a.dae", "a", "a.glb.gz", "a.gz"] {
             let text = of(wrong).unwrap_err().to_string();
             assert!(text.contains("help:") && text.contains("ply"), "{text}");
         }

@@ -73,6 +73,7 @@ pub fn dxf(report: &SectionReport, unit: Option<LengthUnit>) -> String {
             for (curves, layer, is_closed) in [
                 (&part.loops, closed, true),
                 (&part.open_chains, open, false),
+                (&part.bridges, open, false),
             ] {
                 curves
                     .iter()
@@ -109,7 +110,7 @@ impl DxfLayers {
             let names = (layers.of_parts.entry(part.part.clone()))
                 .or_insert_with(|| layer_names(&part.part, &mut taken));
             layers.colors.insert(names[0].clone(), color_of(part));
-            if !part.open_chains.is_empty() {
+            if !part.open_chains.is_empty() || !part.bridges.is_empty() {
                 layers.colors.insert(names[1].clone(), [255, 0, 0]);
             }
         }

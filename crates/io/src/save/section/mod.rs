@@ -76,6 +76,8 @@ pub struct PartReport {
     pub loops: Vec<Curve>,
     /// Curves that end at open edges of the mesh.
     pub open_chains: Vec<Curve>,
+    /// Straight lines of the loops, where the mesh is open and winding numbers decide what is inside.
+    pub bridges: Vec<Curve>,
     /// Descriptions of the mesh defects that the plane meets.
     pub defects: Vec<String>,
     /// Remedy for the first defect because of which part of the section is missing.
@@ -199,6 +201,7 @@ impl PartReport {
                 .map(|l| curve(&l.points, true))
                 .collect(),
             open_chains: section.open.iter().map(|c| curve(c, false)).collect(),
+            bridges: section.bridges.iter().map(|b| curve(b, false)).collect(),
             defects: section.defects.iter().map(ToString::to_string).collect(),
             help: (section.defects.iter().find(|d| d.loses_cap())).map(|d| d.help()),
         }

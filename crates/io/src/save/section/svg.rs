@@ -3,7 +3,7 @@
 //! One file holds all planes side by side, each in a group. The paths in a group have exactly the coordinates `u` and `v` of the JSON. The
 //! group flips `v` up and, except for the first plane, translates the plane. Each part is one path in its cap colour, filled by its fill
 //! rule. Strokes keep their screen width if the viewer supports that. Otherwise their width is a thousandth of the drawing. Curves that do
-//! not close are red and not filled.
+//! not close are red and not filled, and so are lines that winding numbers added.
 //!
 //! A unit of the drawing is a unit of the model. If a [`LengthUnit`] is given, the drawing has the model's physical size. Otherwise its
 //! longer side has [`LONGEST_PX`] pixels.
@@ -159,6 +159,12 @@ fn group(index: usize, plane: &PlaneReport, [x, y]: [String; 2], decimals: usize
                     "\n"
                     path.open d=(outline(&part.open_chains, decimals, "")) fill="none" stroke="#cc0000" {
                         title { (without_controls(&part.part)) ": open" }
+                    }
+                }
+                @if !part.bridges.is_empty() {
+                    "\n"
+                    path.open d=(outline(&part.bridges, decimals, "")) fill="none" stroke="#cc0000" {
+                        title { (without_controls(&part.part)) ": closed by winding numbers" }
                     }
                 }
             }
