@@ -3,27 +3,33 @@
 //! All curves of the section, closed and open, are drawn into one triangulation. A triangle is inside if the mesh's winding number at its
 //! centroid, rounded, is inside by the fill rule: the definition by which pictures and the exact reference cap open parts. So the outline
 //! is that of the section where there is one, and where curves end, edges of the triangulation take its place, which join
-//! ends that are near each other.
+//! ends that are near each other. Triangles that are too flat for the precision of the number follow their neighbours.
 //!
 //! Cost: a tree over the mesh once, and a logarithmic search in it for each triangle of the triangulation.
 //!
 //! Limits: the level line of a half within a hole is smooth, and the region is bounded by straight lines; it does not leave the convex
 //! hull of the curves. A hole through which no curve passes changes nothing.
 
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 
 use super::fill::{Filled, fill_between};
 use super::trim::chained;
 use super::{Loop, Section, SectionDefect, SlicePlane};
+use crate::scene::Fill;
 use crate::scene::winding::WindingTree;
 
 /// Largest error of a winding number by one ball of triangles that are summed together.
 const BALL_TOLERANCE: f64 = 1e-5;
 
+/// Distance to the surface over which a winding number is uncertain, as a share of the size of the mesh: some steps of `f32`.
+const UNCERTAIN_SHARE: f64 = 1e-6;
+
 /// Winding numbers of triangles, whose corners are `f32` from a point among them.
 #[derive(Debug)]
 pub(super) struct WindingNumbers {
     middle: DVec3,
+    /// Distance to the surface over which numbers are uncertain.
+    pub(super) uncertain: f64,
     tree: WindingTree,
 }
 
@@ -36,7 +42,11 @@ impl WindingNumbers {
         let middle = low.midpoint(high);
         let near = positions.iter().map(|p| (*p - middle).as_vec3());
         let tree = WindingTree::of(&near.collect::<Vec<_>>(), triangles);
-        Self { middle, tree }
+        Self {
+            middle,
+            uncertain: UNCERTAIN_SHARE * low.distance(high),
+            tree,
+        }
     }
 
     /// The winding number around a point, rounded.
@@ -46,11 +56,12 @@ impl WindingNumbers {
     }
 }
 
-/// A section with open curves, closed: the region is where points are inside.
+/// A section with open curves, closed: the region is where winding numbers are inside by the fill rule.
 pub(super) fn closed(
     section: Section,
     plane: &SlicePlane,
-    is_inside: impl Fn(DVec3) -> bool + Sync,
+    numbers: &WindingNumbers,
+    rule: Fill,
 ) -> Section {
     let Section {
         mut points,
@@ -66,8 +77,8 @@ pub(super) fn closed(
         boundary,
         bridges,
         left_out,
-    } = fill_between(&points, &loops, &open, |at: DVec2| {
-        is_inside(plane.point(at))
+    } = fill_between(&points, &loops, &open, numbers.uncertain, |at| {
+        rule.holds(numbers.rounded(plane.point(at)))
     });
     defects.retain(|defect| !matches!(defect, SectionDefect::Open { .. }));
     if let Some(first) = left_out.first() {

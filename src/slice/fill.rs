@@ -20,6 +20,9 @@ const ROUNDS: usize = 64;
 /// Maximum number of edge parts drawn in all rounds together; drawing that many takes a few seconds.
 const MOST_DRAWN: usize = 8_000_000;
 
+/// Rounds in which flat faces follow their neighbours.
+const FLAT_ROUNDS: usize = 8;
+
 /// A filled region. Point numbers run through the given points, then through `added`.
 #[derive(Debug, Default)]
 pub(super) struct Filled {
@@ -48,24 +51,54 @@ pub(super) fn fill(points: &[DVec2], loops: &[Vec<u32>], holds: impl Fn(i32) -> 
 /// Fills the faces that lie inside by their centroids, in a triangulation of closed and of open curves. Points must be finite.
 ///
 /// Where curves end, the region is bounded by edges of the triangulation, the *bridges*; it does not leave the convex hull of the curves.
+/// A face that is no higher than `least`, the distance over which `is_inside` is uncertain, is inside or not so that bridges are short.
 pub(super) fn fill_between(
     points: &[DVec2],
     loops: &[Vec<u32>],
     open: &[Vec<u32>],
+    least: f64,
     is_inside: impl Fn(DVec2) -> bool + Sync,
 ) -> Filled {
     let mut outline = FillRegion::of(points, loops, open);
     let Some(drawn) = preclassified(&mut outline) else {
         return outline.unfilled();
     };
-    let mut centres = vec![None; drawn.mesh.num_all_faces()];
+    let mut centroids = vec![None; drawn.mesh.num_all_faces()];
+    let mut flat = Vec::new();
     for face in drawn.mesh.inner_faces() {
-        let centre = face.center();
-        centres[face.fix().index()] = Some(outline.unit * DVec2::new(centre.x, centre.y));
+        let corners = face.positions().map(|p| DVec2::new(p.x, p.y));
+        match height(corners) * outline.unit > least {
+            true => {
+                let sum: DVec2 = corners.iter().sum();
+                centroids[face.fix().index()] = Some(outline.unit * sum / 3.0);
+            }
+            false => flat.push(face),
+        }
     }
-    let inside = centres.into_par_iter();
-    let inside: Vec<bool> = inside.map(|at| at.is_some_and(&is_inside)).collect();
+    let centroids = centroids.into_par_iter();
+    let mut inside: Vec<bool> = centroids.map(|at| at.is_some_and(&is_inside)).collect();
+    for _ in 0..FLAT_ROUNDS {
+        let before = inside.clone();
+        for face in &flat {
+            let mut length_if = [0.0; 2];
+            let edges = face.adjacent_edges().into_iter();
+            for edge in edges.filter(|e| !e.is_constraint_edge()) {
+                let neighbour = inside[edge.rev().face().fix().index()];
+                length_if[usize::from(!neighbour)] += edge.length_2().sqrt();
+            }
+            inside[face.fix().index()] = length_if[1] < length_if[0];
+        }
+        if inside == before {
+            break;
+        }
+    }
     outline.filled(&drawn.mesh, |face| inside[face])
+}
+
+/// The least height of a triangle.
+fn height([a, b, c]: [DVec2; 3]) -> f64 {
+    let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
+    (b - a).perp_dot(c - a).abs() / longest
 }
 
 /// Draws an outline, whose edges are cut until none cross; loops that still cross are left out. None if nothing is left.

@@ -112,7 +112,7 @@ impl Slicer {
         }
         let numbers =
             (self.winding).get_or_init(|| WindingNumbers::of(&self.positions, &self.triangles));
-        by_winding::closed(section, plane, |at| rule.holds(numbers.rounded(at)))
+        by_winding::closed(section, plane, numbers, rule)
     }
 
     /// Cap by a plane: the section minus the faces that lie in it with the solid above them, because there the face itself
