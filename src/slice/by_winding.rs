@@ -56,30 +56,37 @@ impl WindingNumbers {
     }
 }
 
-/// A section with open curves, closed: the region is where winding numbers are inside by the fill rule.
+/// A section with open curves, closed: the region is where winding numbers are inside by the fill rule. Curves that bound no such region
+/// stay open.
 pub(super) fn closed(
     section: Section,
     plane: &SlicePlane,
     numbers: &WindingNumbers,
     rule: Fill,
 ) -> Section {
-    let Section {
-        mut points,
-        loops,
-        open,
-        mut defects,
-        ..
-    } = section;
-    let loops: Vec<Vec<u32>> = loops.into_iter().map(|one| one.points).collect();
+    let loops: Vec<Vec<u32>> = section.loops.iter().map(|l| l.points.clone()).collect();
     let Filled {
         added,
         triangles,
         boundary,
         bridges,
         left_out,
-    } = fill_between(&points, &loops, &open, numbers.uncertain, |at| {
-        rule.holds(numbers.rounded(plane.point(at)))
-    });
+    } = fill_between(
+        &section.points,
+        &loops,
+        &section.open,
+        numbers.uncertain,
+        |at| rule.holds(numbers.rounded(plane.point(at))),
+    );
+    if bridges.is_empty() {
+        return section;
+    }
+    let Section {
+        mut points,
+        open,
+        mut defects,
+        ..
+    } = section;
     defects.retain(|defect| !matches!(defect, SectionDefect::Open { .. }));
     if let Some(first) = left_out.first() {
         let curve = loops.iter().chain(&open).nth(*first);

@@ -177,7 +177,17 @@ fn a_bowl_is_no_solid_beyond_its_rim() {
     let full = slicer(&ball).section(&plane(DVec3::new(0.0, 0.01, 0.0), DVec3::Y));
     let share = section.area() / full.area();
     assert!((0.4..0.6).contains(&share), "{share}");
-    // A sheet bounds nothing.
+    // A flat sheet bounds nothing, and stays open.
+    let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
+    let flat = Mesh {
+        positions: corners.map(|(x, y)| DVec3::new(x, y, 0.0)).to_vec(),
+        triangles: vec![[0, 1, 2], [0, 2, 3]],
+        ..Mesh::default()
+    };
+    let section = closed(&flat, &plane(DVec3::splat(0.3), DVec3::X));
+    assert_eq!((section.area(), section.open.len()), (0.0, 1));
+    assert!(!section.is_whole());
+    // A bent one bounds little.
     let mut sheet = ball.clone();
     sheet
         .triangles
