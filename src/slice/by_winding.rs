@@ -108,6 +108,6 @@ pub(super) fn closed(
         bridges,
         defects,
     };
-    closed.defects.extend(closed.bridged(plane));
+    closed.defects.extend(closed.bridged(|at| plane.point(at)));
     closed
 }

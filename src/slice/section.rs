@@ -2,8 +2,6 @@
 
 use glam::{DVec2, DVec3};
 
-use super::SlicePlane;
-
 /// The section of a mesh by a plane. Points are coordinates along `Û` and `V̂` relative to the plane's `zero`, in input units.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Section {
@@ -144,15 +142,15 @@ impl Section {
         self.shoelace(edges.map(|e| e.map(|i| self.points[i as usize])))
     }
 
-    /// What bridges make of the section, if there are any.
-    pub(super) fn bridged(&self, plane: &SlicePlane) -> Option<SectionDefect> {
+    /// What bridges make of the section, if there are any; `in_space` locates a point of the plane.
+    pub(super) fn bridged(&self, in_space: impl Fn(DVec2) -> DVec3) -> Option<SectionDefect> {
         let ends = |line: &[u32; 2]| line.map(|i| self.points[i as usize]);
         let [at, _] = self.bridges.first().map(ends)?;
         let lengths = self.bridges.iter().map(ends).map(|[a, b]| a.distance(b));
         Some(SectionDefect::Bridged {
             lines: self.bridges.len(),
             length: sum(lengths),
-            at: plane.point(at),
+            at: in_space(at),
         })
     }
 

@@ -79,7 +79,9 @@ impl Trim {
             triangles,
             boundary,
         };
-        trimmed.defects.extend(trimmed.bridged(plane));
+        trimmed
+            .defects
+            .extend(trimmed.bridged(|at| plane.point(at)));
         compact(&mut trimmed);
         Some(trimmed)
     }
