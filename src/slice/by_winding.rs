@@ -10,74 +10,35 @@
 //! Limits: the level line of a half within a hole is smooth, and the region is bounded by straight lines; it does not leave the convex
 //! hull of the curves. A hole through which no curve passes changes nothing.
 
-use glam::DVec3;
-
 use super::fill::{Filled, fill_between};
 use super::trim::chained;
 use super::{Loop, Section, SectionDefect, SlicePlane};
 use crate::scene::Fill;
-use crate::scene::winding::WindingTree;
-
-/// Largest error of a winding number by one ball of triangles that are summed together.
-const BALL_TOLERANCE: f64 = 1e-5;
+use crate::scene::winding::CentredTree;
 
 /// Distance to the surface over which a winding number is uncertain, as a share of the size of the mesh: some steps of `f32`.
 const UNCERTAIN_SHARE: f64 = 1e-6;
-
-/// Winding numbers of triangles, whose corners are `f32` from a point among them.
-#[derive(Debug)]
-pub(super) struct WindingNumbers {
-    middle: DVec3,
-    /// Distance to the surface over which numbers are uncertain.
-    pub(super) uncertain: f64,
-    tree: WindingTree,
-}
-
-impl WindingNumbers {
-    /// Prepares triangles, of which there must be at least one.
-    pub(super) fn of(positions: &[DVec3], triangles: &[[u32; 3]]) -> Self {
-        let used = triangles.iter().flatten().map(|i| positions[*i as usize]);
-        let start = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        let (low, high) = used.fold(start, |(low, high), p| (low.min(p), high.max(p)));
-        let middle = low.midpoint(high);
-        let near = positions.iter().map(|p| (*p - middle).as_vec3());
-        let tree = WindingTree::of(&near.collect::<Vec<_>>(), triangles);
-        Self {
-            middle,
-            uncertain: UNCERTAIN_SHARE * low.distance(high),
-            tree,
-        }
-    }
-
-    /// The winding number around a point, rounded.
-    pub(super) fn rounded(&self, at: DVec3) -> i32 {
-        let (number, _) = self.tree.winding(at - self.middle, BALL_TOLERANCE);
-        number.round() as i32
-    }
-}
 
 /// A section with open curves, closed: the region is where winding numbers are inside by the fill rule. Curves that bound no such region
 /// stay open.
 pub(super) fn closed(
     section: Section,
     plane: &SlicePlane,
-    numbers: &WindingNumbers,
+    tree: &CentredTree,
     rule: Fill,
 ) -> Section {
     let loops: Vec<Vec<u32>> = section.loops.iter().map(|l| l.points.clone()).collect();
+    let centre = tree.bounds.centre();
+    let uncertain = UNCERTAIN_SHARE * tree.bounds.size().length();
     let Filled {
         added,
         triangles,
         boundary,
         bridges,
         left_out,
-    } = fill_between(
-        &section.points,
-        &loops,
-        &section.open,
-        numbers.uncertain,
-        |at| rule.holds(numbers.rounded(plane.point(at))),
-    );
+    } = fill_between(&section.points, &loops, &section.open, uncertain, |at| {
+        rule.holds(tree.winding(plane.point(at) - centre).round() as i32)
+    });
     if bridges.is_empty() {
         return section;
     }

@@ -25,7 +25,8 @@
 //! Cost: one parallel sort of the triangles; then, per section, about n log n in the points of the elements that the plane meets.
 //!
 //! Limits: 2^32 vertices and triangles; coordinates up to 1e300, beyond which triangles are left out and reported. Open curves
-//! are not capped, but reported, unless winding numbers are to close them ([`Slicer::section_by_winding`]). Points are rounded to f64, so loops that touch within rounding may cross by as much.
+//! are not capped, but reported, unless winding numbers are to close them ([`Slicer::section_by_winding`]). Points are rounded to f64,
+//! so loops that touch within rounding may cross by as much.
 
 #[cfg(feature = "boolean")]
 mod boolean;

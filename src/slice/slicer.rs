@@ -6,13 +6,14 @@ use std::sync::{Arc, OnceLock};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 
-use super::by_winding::{self, WindingNumbers};
+use super::by_winding;
 use super::fill::{Filled, fill};
 use super::in_world::in_world;
 use super::loops::{Curves, CutSegment, join};
 use super::plane::is_within;
 use super::{Loop, Section, SectionDefect, SlicePlane};
 use crate::scene::meshes::tree::{BRANCHES, Tree, sort};
+use crate::scene::winding::CentredTree;
 use crate::scene::{Bounds, Candidates, FacesInPlane, Fill, Part, SceneSpace, Side, tolerance_of};
 
 /// A mesh with a bounding tree of its triangles. Building it visits every triangle, a section only those near the plane.
@@ -28,7 +29,7 @@ pub struct Slicer {
     /// count as on it.
     scene: Option<(SceneSpace, f64)>,
     /// Made when a section has open curves that winding numbers are to close.
-    winding: OnceLock<WindingNumbers>,
+    winding: OnceLock<CentredTree>,
 }
 
 /// Elements that a plane crosses, and the faces that lie in the plane.
@@ -110,9 +111,8 @@ impl Slicer {
         if section.open.is_empty() {
             return section;
         }
-        let numbers =
-            (self.winding).get_or_init(|| WindingNumbers::of(&self.positions, &self.triangles));
-        by_winding::closed(section, plane, numbers, rule)
+        let tree = (self.winding).get_or_init(|| CentredTree::of(&self.positions, &self.triangles));
+        by_winding::closed(section, plane, tree, rule)
     }
 
     /// Cap by a plane: the section minus the faces that lie in it with the solid above them, because there the face itself

@@ -16,10 +16,12 @@
 //! [`Closing`] finds the chain and D, from indices alone: a mesh that moves keeps them. [`WindingTree`] sums solid angles, in a time that
 //! grows with the logarithm of the number of triangles.
 
+mod centred;
 mod closing;
 mod stray;
 mod tree;
 
+pub(crate) use centred::CentredTree;
 pub use closing::Closing;
 pub use stray::Stray;
 pub use tree::{BallNode, WindingTree};

@@ -1,20 +1,17 @@
 //! How far the winding numbers of an open mesh are from whole numbers: those of a closed mesh are whole, and an open mesh is read the more
 //! surely the nearer they are.
 //!
-//! The numbers are sampled at the centres of a grid of cells in the mesh's box, from a tree over all faces ([`WindingTree`]). Cost: building
+//! The numbers are sampled at the centres of a grid of cells in the mesh's box, from a tree over all faces ([`CentredTree`]). Cost: building
 //! the tree, then some hundred nodes per point. Cannot: find a small doubtful place between two points.
 
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 use rayon::prelude::*;
 
-use super::WindingTree;
-use crate::scene::{Bounds, Mesh};
+use super::CentredTree;
+use crate::scene::Mesh;
 
 /// Cells along an axis of the box.
 const CELLS: usize = 12;
-
-/// Largest error of the approximation of a ball of faces, as a share of a whole turn.
-const TOLERANCE: f64 = 1e-5;
 
 /// Distances of the winding numbers of a mesh from the nearest whole number.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,14 +28,8 @@ pub struct Stray {
 impl Stray {
     /// Samples a mesh.
     pub fn of(mesh: &Mesh) -> Self {
-        let in_use = mesh.triangles.iter().flatten();
-        let bounds = Bounds::from_points(in_use.map(|i| mesh.positions[*i as usize]));
-        // Relative to the centre, f32 is precise wherever the mesh is.
-        let centre = bounds.centre();
-        let positions: Vec<Vec3> = (mesh.positions.iter())
-            .map(|p| (*p - centre).as_vec3())
-            .collect();
-        let tree = WindingTree::of(&positions, &mesh.triangles);
+        let tree = CentredTree::of(&mesh.positions, &mesh.triangles);
+        let (bounds, centre) = (tree.bounds, tree.bounds.centre());
         let step = bounds.size() / CELLS as f64;
         let at = |i: usize| {
             let cell = [i % CELLS, i / CELLS % CELLS, i / CELLS / CELLS].map(|c| c as f64 + 0.5);
@@ -48,7 +39,7 @@ impl Stray {
         let distances: Vec<f64> = (0..points)
             .into_par_iter()
             .map(|i| {
-                let (number, _) = tree.winding(at(i), TOLERANCE);
+                let number = tree.winding(at(i));
                 (number - number.round()).abs()
             })
             .collect();

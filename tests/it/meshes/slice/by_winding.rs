@@ -26,13 +26,17 @@ fn length_of_bridges(section: &Section) -> f64 {
     lengths.sum()
 }
 
+/// The mesh without the triangles whose corners are all so.
+fn without(mesh: &Mesh, is_so: impl Fn(DVec3) -> bool) -> Mesh {
+    let mut open = mesh.clone();
+    open.triangles
+        .retain(|t| !t.iter().all(|i| is_so(mesh.positions[*i as usize])));
+    open
+}
+
 #[test]
 fn a_cube_without_a_side_has_its_section_and_one_line() {
-    let mut cube = block(DVec3::ZERO, DVec3::ONE);
-    let on_side =
-        |mesh: &Mesh, t: &[u32; 3]| t.iter().all(|i| mesh.positions[*i as usize].x == 1.0);
-    let whole = cube.clone();
-    cube.triangles.retain(|t| !on_side(&whole, t));
+    let cube = without(&block(DVec3::ZERO, DVec3::ONE), |p| p.x == 1.0);
     assert_eq!(cube.triangles.len(), 10, "one side is gone");
     let turned = DAffine3::from_rotation_translation(
         glam::DQuat::from_axis_angle(DVec3::new(1.0, 2.0, 3.0).normalize(), 0.7),
@@ -129,10 +133,7 @@ fn a_mesh_that_is_inside_out_has_the_same_region() {
 
 #[test]
 fn what_is_trimmed_keeps_its_lines_or_loses_them() {
-    let mut cube = block(DVec3::ZERO, DVec3::ONE);
-    let whole = cube.clone();
-    cube.triangles
-        .retain(|t| !t.iter().all(|i| whole.positions[*i as usize].x == 1.0));
+    let cube = without(&block(DVec3::ZERO, DVec3::ONE), |p| p.x == 1.0);
     let plane = plane(DVec3::splat(0.25), DVec3::Z);
     let section = closed(&cube, &plane);
     let half = |x: f64, towards: f64| {

@@ -155,16 +155,12 @@ fn group(index: usize, plane: &PlaneReport, [x, y]: [String; 2], decimals: usize
                         title { (without_controls(&part.part)) ": area " (part.area) }
                     }
                 }
-                @if !part.open_chains.is_empty() {
-                    "\n"
-                    path.open d=(outline(&part.open_chains, decimals, "")) fill="none" stroke="#cc0000" {
-                        title { (without_controls(&part.part)) ": open" }
-                    }
-                }
-                @if !part.bridges.is_empty() {
-                    "\n"
-                    path.open d=(outline(&part.bridges, decimals, "")) fill="none" stroke="#cc0000" {
-                        title { (without_controls(&part.part)) ": closed by winding numbers" }
+                @for (curves, why) in [(&part.open_chains, "open"), (&part.bridges, "closed by winding numbers")] {
+                    @if !curves.is_empty() {
+                        "\n"
+                        path.open d=(outline(curves, decimals, "")) fill="none" stroke="#cc0000" {
+                            title { (without_controls(&part.part)) ": " (why) }
+                        }
                     }
                 }
             }
